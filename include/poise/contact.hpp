@@ -1,0 +1,28 @@
+// Where a finger touches the object, and which forces it can pass on there without slipping.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "poise/object.hpp"
+
+namespace poise {
+
+/// A contact with Coulomb friction.
+///
+/// The force of the finger on the object is given in the contact frame: the normal force along the
+/// inward normal n, and the tangential force, in the plane one number along n turned by +90
+/// degrees.
+template <int Dim>
+struct Contact {
+  Vector<Dim> position = Vector<Dim>::Zero();  ///< [m], object frame
+  Vector<Dim> normal = Vector<Dim>::Zero();  ///< from the finger into the object; any length but 0
+  double friction{0};                        ///< coefficient mu >= 0; 0 is a frictionless contact
+  double min_normal{0};                      ///< least normal force [N], >= 0
+  double max_normal{std::numeric_limits<double>::infinity()};  ///< greatest normal force [N]
+  /// The part of a pad that this contact stands for, in (0, 1]: its force counts as |f|^2 / share.
+  double share{1};
+  std::string finger{};  ///< label; left empty, the contact is a finger of its own
+};
+
+}  // namespace poise

@@ -1,0 +1,61 @@
+// A vector whose first N elements need no heap: holding with up to N contacts allocates nothing.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace poise {
+
+/// A fixed number of plain elements, chosen when it is made; they start unset.
+template <class T, std::size_t N>
+class SmallVector {
+  static_assert(std::is_trivially_destructible_v<T>);
+
+ public:
+  SmallVector() : size_(0) {}
+  explicit SmallVector(std::size_t size) : size_(size) {
+    if (size > N) large_.resize(size);
+  }
+  SmallVector(const SmallVector& other) : size_(other.size_), large_(other.large_) { copy(other); }
+  SmallVector(SmallVector&& other) noexcept : size_(other.size_), large_(std::move(other.large_)) {
+    copy(other);
+  }
+  SmallVector& operator=(const SmallVector& other) {
+    size_ = other.size_;
+    large_ = other.large_;
+    copy(other);
+    return *this;
+  }
+  SmallVector& operator=(SmallVector&& other) noexcept {
+    size_ = other.size_;
+    large_ = std::move(other.large_);
+    copy(other);
+    return *this;
+  }
+  ~SmallVector() = default;
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  T* data() { return size_ > N ? large_.data() : small_.data(); }
+  const T* data() const { return size_ > N ? large_.data() : small_.data(); }
+  T* begin() { return data(); }
+  T* end() { return data() + size_; }
+  const T* begin() const { return data(); }
+  const T* end() const { return data() + size_; }
+  T& operator[](std::size_t i) { return data()[i]; }
+  const T& operator[](std::size_t i) const { return data()[i]; }
+
+ private:
+  void copy(const SmallVector& other) {
+    if (size_ <= N) std::copy_n(other.small_.begin(), size_, small_.begin());
+  }
+
+  std::size_t size_;
+  std::array<T, N> small_;
+  std::vector<T> large_;
+};
+
+}  // namespace poise

@@ -1,0 +1,113 @@
+#include "poise/grasp.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "scaled_grasp.hpp"
+
+namespace poise {
+namespace {
+
+std::string text(double value) {
+  std::ostringstream out;
+  out.precision(12);
+  out << value;
+  return out.str();
+}
+
+/// Throws unless `value` is finite with a finite square, and `in_range`.
+void check(double value, bool in_range, const std::string& path, const std::string& expected) {
+  if (!std::isfinite(value) || !std::isfinite(value * value) || !in_range)
+    throw InvalidGrasp(path, "is " + text(value) + ", must be " + expected);
+}
+
+template <int Dim>
+void check(const Vector<Dim>& value, const std::string& path) {
+  for (int k = 0; k < Dim; ++k)
+    check(value[k], true, path + "[" + std::to_string(k) + "]", "a finite number");
+  if (!std::isfinite(value.squaredNorm()))
+    throw InvalidGrasp(path, "is too long: its square overflows");
+}
+
+template <int Dim>
+void check(const Contact<Dim>& contact, const std::string& path) {
+  check<Dim>(contact.position, path + ".position");
+  check<Dim>(contact.normal, path + ".normal");
+  if (!(contact.normal.stableNorm() > 0))
+    throw InvalidGrasp(path + ".normal", "has no length, must point from the finger inwards");
+  check(contact.friction, contact.friction >= 0, path + ".friction", "at least 0");
+  check(contact.min_normal, contact.min_normal >= 0, path + ".min_normal", "at least 0");
+  const double max = contact.max_normal;
+  if (max != std::numeric_limits<double>::infinity())
+    check(max, max >= 0, path + ".max_normal", "at least 0");
+  if (max < contact.min_normal)
+    throw InvalidGrasp(path + ".max_normal", "is " + text(max) + ", must be at least min_normal, " +
+                                                 text(contact.min_normal));
+  check(contact.share, contact.share > 0 && contact.share <= 1, path + ".share",
+        "above 0 and at most 1");
+}
+
+/// The contact's columns of G about `about`: the normal force first, then the tangential one.
+Eigen::Matrix<double, 3, 2> columns(const Contact<2>& contact, const Vector<2>& about) {
+  const Vector<2> r = contact.position - about, n = contact.normal, t(-n.y(), n.x());
+  Eigen::Matrix<double, 3, 2> c;
+  c << n, t, r.x() * n.y() - r.y() * n.x(), r.x() * t.y() - r.y() * t.x();
+  return c;
+}
+
+}  // namespace
+
+template <int Dim>
+Grasp<Dim>::Grasp(const Object<Dim>& object, std::vector<Contact<Dim>> contacts, double safety)
+    : object_(object), contacts_(std::move(contacts)) {
+  check(object_.weight, object_.weight > 0, "object.weight", "above 0");
+  check<Dim>(object_.com, "object.com");
+  check(safety, safety >= 1, "safety", "at least 1");
+  if (contacts_.empty()) throw InvalidGrasp("contacts", "is empty, must hold at least one contact");
+  std::map<std::string, std::size_t> labels;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    Contact<Dim>& contact = contacts_[i];
+    const std::string path = "contacts[" + std::to_string(i) + "]";
+    check<Dim>(contact, path);
+    contact.normal = contact.normal.stableNormalized();
+    contact.friction /= safety;
+    const double distance = (contact.position - object_.com).norm();
+    if (!std::isfinite(distance))
+      throw InvalidGrasp(path + ".position", "is too far from the centre of mass");
+    radius_ = std::max(radius_, distance);
+    const bool own = contact.finger.empty();  // a finger of its own, named after the contact
+    const auto label = own ? labels.end() : labels.find(contact.finger);
+    finger_of_.push_back(label == labels.end() ? fingers_.size() : label->second);
+    if (label != labels.end()) continue;
+    if (own)
+      contact.finger = std::to_string(i);
+    else
+      labels.emplace(contact.finger, fingers_.size());
+    fingers_.push_back(contact.finger);
+  }
+  scaled_ = std::make_shared<const ScaledGrasp<Dim>>(*this);
+}
+
+template <int Dim>
+Wrench<Dim> Grasp<Dim>::load(const Vector<Dim>& up) const {
+  const Vector<Dim> force = object_.weight * up, &com = object_.com;
+  return {force.x(), force.y(), com.x() * force.y() - com.y() * force.x()};
+}
+
+template <int Dim>
+Eigen::Matrix<double, wrench_size<Dim>, Eigen::Dynamic> grasp_matrix(const Grasp<Dim>& grasp) {
+  const auto& contacts = grasp.contacts();
+  Eigen::Matrix<double, wrench_size<Dim>, Eigen::Dynamic> G(
+      wrench_size<Dim>, Dim * static_cast<int>(contacts.size()));
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    G.template middleCols<Dim>(Dim * static_cast<int>(i)) =
+        columns(contacts[i], Vector<Dim>::Zero());
+  return G;
+}
+
+template class Grasp<2>;
+template Eigen::Matrix<double, 3, Eigen::Dynamic> grasp_matrix<2>(const Grasp<2>&);
+
+}  // namespace poise

@@ -1,0 +1,42 @@
+#include "scaled_grasp.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace poise {
+
+template <>
+ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
+    : size(grasp.contacts().size()),
+      length(grasp.radius() > 0 ? grasp.radius() : 1),
+      limited(false),
+      lanes((size + lane_size - 1) / lane_size, ContactLane<2>{}) {
+  Eigen::Matrix3d GGt = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < size; ++i) {
+    const Contact<2>& contact = grasp.contacts()[i];
+    const double root = std::sqrt(contact.share), weight = grasp.object().weight;
+    const Vector<2> r = (contact.position - grasp.object().com) / length;
+    ContactLane<2>& lane = lanes[i / lane_size];
+    const std::size_t k = i % lane_size;
+    lane.nx[k] = root * contact.normal.x();
+    lane.ny[k] = root * contact.normal.y();
+    lane.jx[k] = -r.y();
+    lane.jy[k] = r.x();
+    lane.share[k] = contact.share;
+    lane.mu[k] = contact.friction;
+    lane.edge[k] = 1 / (1 + contact.friction * contact.friction);
+    lane.lo[k] = contact.min_normal / weight / root;
+    lane.hi[k] = contact.max_normal / weight / root;
+    limited = limited || contact.min_normal > 0 || std::isfinite(contact.max_normal);
+    Eigen::Matrix<double, 3, 2> forces;  // wrenches of unit forces along x and y
+    forces << Eigen::Matrix2d::Identity(), -r.y(), r.x();
+    GGt += contact.share * forces * forces.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(GGt);
+  Eigen::Vector3d values = eigen.eigenvalues();
+  const double least = 1e-14 * values.maxCoeff();
+  for (double& value : values) value = value > least ? 1 / value : 0;
+  inverse = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+}  // namespace poise
