@@ -1,0 +1,96 @@
+// The least effort over all planar postures, exactly: docs/theory.md, "The posture curve".
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "poise/hold.hpp"
+
+namespace poise {
+
+/// c0 + cos1 cos(theta) + sin1 sin(theta)
+struct Harmonic1 {
+  double c0{0}, cos1{0}, sin1{0};
+  double operator()(double theta) const {
+    return c0 + cos1 * std::cos(theta) + sin1 * std::sin(theta);
+  }
+};
+
+/// Harmonic1 + cos2 cos(2 theta) + sin2 sin(2 theta)
+struct Harmonic2 {
+  double c0{0}, cos1{0}, sin1{0}, cos2{0}, sin2{0};
+  double operator()(double theta) const {
+    return c0 + cos1 * std::cos(theta) + sin1 * std::sin(theta) + cos2 * std::cos(2 * theta) +
+           sin2 * std::sin(2 * theta);
+  }
+  double slope(double theta) const {
+    return -cos1 * std::sin(theta) + sin1 * std::cos(theta) - 2 * cos2 * std::sin(2 * theta) +
+           2 * sin2 * std::cos(2 * theta);
+  }
+};
+
+/// What one contact does all along an arc.
+struct ArcState {
+  ContactState state;
+  ForceLimit limit;
+};
+
+/// Postures in which every contact keeps its part of the friction cone: there the forces and y are
+/// affine in (cos theta, sin theta), and the effort is a trigonometric polynomial of degree 2.
+struct Arc {
+  double from{0}, to{0};       ///< [rad], closed
+  Harmonic2 V;                 ///< effort [N^2]
+  std::array<Harmonic1, 3> y;  ///< optimal dual, about the object frame's origin [N, N, N/m]
+  /// First index into PostureCurve::states; the arc has one state for each contact from there on.
+  std::size_t first_state{0};
+};
+
+/// Postures in which the object cannot be held, and one y that proves it for all inside (see
+/// Hold::dual).
+struct UnholdableArc {
+  double from{0}, to{0};  ///< [rad], open
+  Twist<2> y;
+};
+
+/// Of an optimum of the curve.
+enum class Kind {
+  boundary,  ///< an end of the domain or of the holdable set
+  kink,      ///< V has a corner
+  smooth,
+};
+const char* to_string(Kind kind);
+
+/// A local minimum or maximum of V over the domain's holdable postures.
+struct Optimum {
+  double angle{0};        ///< [rad], in (-pi, pi]; of a stretch of equal V its middle
+  double from{0}, to{0};  ///< the stretch; both are `angle` where the optimum is one posture
+  double effort{0};       ///< V [N^2]
+  Kind kind{Kind::smooth};
+  bool maximum{false};
+};
+
+/// The whole answer in the plane. Angles of arcs run from the domain's start upwards.
+struct PostureCurve {
+  Interval domain;
+  std::vector<Arc> arcs;
+  std::vector<ArcState> states;  ///< of all arcs, contact by contact; see Arc::first_state
+  std::vector<UnholdableArc> unholdable_arcs;
+  std::vector<Interval> holdable;  ///< closed; a single posture is [x, x]
+  /// Minima by effort, lowest first (ties within 1e-9: least |angle|, then the positive), then
+  /// maxima by effort, highest first.
+  std::vector<Optimum> optima;
+};
+
+struct CurveSettings {
+  Domain domain{Domain::all};
+  double force_cap{1e6};  ///< [weights]
+};
+
+/// The postures to choose from: the whole circle, or the closed rest of the cradled wedge.
+Interval domain_interval(const Grasp<2>& grasp, Domain domain);
+
+/// V(theta) of every posture of the domain, with its minima and maxima, without sampling.
+PostureCurve posture_curve(const Grasp<2>& grasp, const CurveSettings& settings = {});
+
+}  // namespace poise

@@ -1,0 +1,90 @@
+#include "poise/best_posture.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "dual.hpp"
+#include "harmonic.hpp"
+#include "twist.hpp"
+
+namespace poise {
+namespace {
+
+/// Where the edges meet on which two contacts press; none if they are parallel.
+std::optional<Vector<2>> meeting_point(const Grasp<2>& grasp, const Hold<2>& hold,
+                                       const std::array<std::size_t, 2>& loaded) {
+  Vector<2> edge[2], at[2];
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Contact<2>& contact = grasp.contacts()[loaded[k]];
+    const ContactForce<2>& force = hold.forces[loaded[k]];
+    const Vector<2> tangent(-contact.normal.y(), contact.normal.x());
+    edge[k] = (force.normal * contact.normal + force.tangential * tangent).normalized();
+    at[k] = contact.position;
+  }
+  const auto cross = [](const Vector<2>& a, const Vector<2>& b) {
+    return a.x() * b.y() - a.y() * b.x();
+  };
+  const double sine = cross(edge[0], edge[1]);
+  if (std::abs(sine) < 1e-9) return std::nullopt;
+  return at[0] + cross(at[1] - at[0], edge[1]) / sine * edge[0];
+}
+
+/// The least that the arcs' own y prove: V on an arc is least at its ends or where it is flat.
+double lower_bound(const Grasp<2>& grasp, const PostureCurve& curve) {
+  const ScaledGrasp<2>& scaled = grasp.scaled();
+  dual::Point<2> point(scaled.size);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Arc& arc : curve.arcs) {
+    std::vector<double> angles = sign_changes(derivative(arc.V), arc.from, arc.to);
+    angles.push_back(arc.from);
+    angles.push_back(arc.to);
+    for (const double theta : angles) {
+      const Twist<2> y(arc.y[0](theta), arc.y[1](theta), arc.y[2](theta));
+      const Vector<2> up = up_at(theta);
+      dual::evaluate<2>(scaled, Wrench<2>(up.x(), up.y(), 0), about_com(grasp, y), point);
+      least = std::min(least, 2 * point.value);
+    }
+  }
+  return curve.arcs.empty() ? 0 : least * grasp.object().weight * grasp.object().weight;
+}
+
+}  // namespace
+
+PlanarPosture posture_at(const Grasp<2>& grasp, const Optimum& optimum,
+                         const CurveSettings& settings) {
+  PlanarPosture posture;
+  posture.optimum = optimum;
+  const Vector<2> up = up_at(optimum.angle);
+  posture.hold = hold(grasp, up, {settings.force_cap});
+  posture.manner = manner(grasp, up, posture.hold);
+  std::vector<std::size_t> loaded;
+  bool slipping = true;
+  for (std::size_t i = 0; i < posture.hold.forces.size(); ++i) {
+    if (posture.hold.forces[i].state == ContactState::unloaded) continue;
+    loaded.push_back(i);
+    slipping = slipping && posture.hold.forces[i].state == ContactState::slipping;
+  }
+  posture.two_slipping = optimum.kind == Kind::kink && loaded.size() == 2 && slipping;
+  if (posture.two_slipping)
+    posture.edges_meet = meeting_point(grasp, posture.hold, {loaded[0], loaded[1]});
+  return posture;
+}
+
+BestPosture best_posture(const Grasp<2>& grasp, const CurveSettings& settings) {
+  BestPosture best;
+  best.curve = posture_curve(grasp, settings);
+  for (const Optimum& optimum : best.curve.optima) {
+    if (optimum.maximum) {
+      if (!best.worst) best.worst = posture_at(grasp, optimum, settings);
+      continue;
+    }
+    best.minima.push_back(posture_at(grasp, optimum, settings));
+    const bool pinched = best.minima.back().manner == Manner::pinched;
+    if (!best.pinched && pinched && optimum.kind != Kind::boundary)
+      best.pinched = best.minima.size() - 1;
+  }
+  best.lower_bound = lower_bound(grasp, best.curve);
+  return best;
+}
+
+}  // namespace poise

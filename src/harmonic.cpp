@@ -1,0 +1,79 @@
+#include "harmonic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poise {
+namespace {
+
+using Polynomial = std::vector<double>;  // coefficients, the constant first
+
+double value(const Polynomial& p, double t) {
+  double sum = 0;
+  for (auto c = p.rbegin(); c != p.rend(); ++c) sum = sum * t + *c;
+  return sum;
+}
+
+/// The root of continuous g between a and b, where its signs differ.
+template <class Function>
+double bisect(const Function& g, double a, double b) {
+  const bool rising = g(b) > 0;
+  for (int step = 0; step < 200; ++step) {
+    const double middle = (a + b) / 2;
+    if (middle == a || middle == b) break;
+    ((g(middle) > 0) == rising ? b : a) = middle;
+  }
+  return (a + b) / 2;
+}
+
+/// Between two neighbouring roots of its derivative a polynomial changes its sign at most once.
+std::vector<double> sign_changes(const Polynomial& p, double from, double to) {
+  std::vector<double> ends{from};
+  if (p.size() > 2) {
+    Polynomial slope;
+    for (std::size_t k = 1; k < p.size(); ++k) slope.push_back(static_cast<double>(k) * p[k]);
+    for (const double t : sign_changes(slope, from, to)) ends.push_back(t);
+  }
+  ends.push_back(to);
+  std::vector<double> roots;
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    if (value(p, ends[i - 1]) * value(p, ends[i]) < 0)
+      roots.push_back(bisect([&](double t) { return value(p, t); }, ends[i - 1], ends[i]));
+  return roots;
+}
+
+}  // namespace
+
+Harmonic2 derivative(const Harmonic2& g) { return {0, g.sin1, -g.cos1, 2 * g.sin2, -2 * g.cos2}; }
+
+std::vector<double> sign_changes(const Harmonic2& g, double from, double to) {
+  constexpr double half_pi = 1.5707963267948966;
+  std::vector<double> roots;
+  if (g.c0 == 0 && g.cos1 == 0 && g.sin1 == 0) {  // cos(2 theta - psi) = 0
+    if (g.cos2 == 0 && g.sin2 == 0) return roots;
+    const double first = (std::atan2(g.sin2, g.cos2) + half_pi) / 2;
+    for (double k = std::ceil((from - first) / half_pi); first + k * half_pi < to; ++k)
+      if (first + k * half_pi > from) roots.push_back(first + k * half_pi);
+    return roots;
+  }
+  if (to - from > 3) {
+    const double middle = (from + to) / 2;
+    roots = sign_changes(g, from, middle);
+    if (g(middle) == 0) roots.push_back(middle);
+    for (const double theta : sign_changes(g, middle, to)) roots.push_back(theta);
+    return roots;
+  }
+  // t = tan((theta - middle) / 2) makes it a quartic.
+  const double middle = (from + to) / 2, c = std::cos(middle), s = std::sin(middle);
+  const double cc = std::cos(2 * middle), ss = std::sin(2 * middle);
+  const double cos1 = g.cos1 * c + g.sin1 * s, sin1 = g.sin1 * c - g.cos1 * s;
+  const double cos2 = g.cos2 * cc + g.sin2 * ss, sin2 = g.sin2 * cc - g.cos2 * ss;
+  const Polynomial quartic{g.c0 + cos1 + cos2, 2 * sin1 + 4 * sin2, 2 * g.c0 - 6 * cos2,
+                           2 * sin1 - 4 * sin2, g.c0 - cos1 + cos2};
+  const double end = std::tan((to - from) / 4);
+  for (const double t : sign_changes(quartic, -end, end))
+    roots.push_back(middle + 2 * std::atan(t));
+  return roots;
+}
+
+}  // namespace poise

@@ -1,0 +1,130 @@
+#include "optima.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harmonic.hpp"
+
+namespace poise {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// A part of an arc on which V rises, falls, or does neither.
+struct Segment {
+  double from, to;
+  int trend;  ///< 1, -1 or 0
+  const Harmonic2* V;
+};
+
+double scale(const Harmonic2& V) {
+  return std::abs(V.c0) + std::hypot(V.cos1, V.sin1) + std::hypot(V.cos2, V.sin2);
+}
+
+/// Splits an arc, moved by `turn`, where its slope changes sign.
+void split(const Arc& arc, double turn, std::vector<Segment>& segments) {
+  constexpr double near = 1e-9;  // an optimum this close to an end of the arc is at the end
+  std::vector<double> ends{arc.from};
+  for (const double at : sign_changes(derivative(arc.V), arc.from, arc.to))
+    if (at - arc.from > near && arc.to - at > near) ends.push_back(at);
+  ends.push_back(arc.to);
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const double slope = arc.V.slope((ends[i - 1] + ends[i]) / 2);
+    const int trend = std::abs(slope) <= 1e-11 * scale(arc.V) ? 0 : slope > 0 ? 1 : -1;
+    segments.push_back({ends[i - 1] + turn, ends[i] + turn, trend, &arc.V});
+  }
+}
+
+double wrapped(double angle) {
+  const double a = std::remainder(angle, 2 * pi);
+  return a <= -pi ? pi : a;
+}
+
+/// The optimum between segments `before` and `after`, either of which may be missing at an end.
+Optimum between(const Segment* before, const Segment* after, double from, double to, bool maximum,
+                bool boundary) {
+  Optimum optimum;
+  optimum.maximum = maximum;
+  optimum.kind = boundary ? Kind::boundary : Kind::smooth;
+  const double middle = (from + to) / 2;
+  optimum.angle = optimum.from = optimum.to = wrapped(middle);
+  const Harmonic2& V = after ? *after->V : *before->V;
+  optimum.effort = V(middle);
+  if (to - from > 1e-8) {  // a stretch of equal V
+    const double turns = 2 * pi * std::floor((from + pi) / (2 * pi));
+    optimum.from = from - turns;
+    optimum.to = to - turns;
+  } else if (before && after && before->V != after->V) {
+    const double corner = after->V->slope(middle) - before->V->slope(middle);
+    const bool sharp = corner > 1e-9 * std::max(scale(*before->V), scale(*after->V));
+    if (!boundary && sharp) optimum.kind = Kind::kink;
+  }
+  return optimum;
+}
+
+/// Walks along the segments of one holdable interval, or once around the circle.
+void find(const std::vector<Segment>& segments, bool circle, std::vector<Optimum>& found) {
+  const Segment* before = nullptr;  // the last that rises or falls
+  double from = segments.front().from;
+  for (const Segment& segment : segments) {
+    if (segment.trend == 0) continue;
+    const bool end = !before;
+    if (!(end && circle) && (end || segment.trend != before->trend))
+      found.push_back(between(before, &segment, from, segment.from, segment.trend < 0, end));
+    before = &segment;
+    from = segment.to;
+  }
+  const double to = segments.back().to;
+  if (circle && before) return;
+  if (before) {
+    found.push_back(between(before, nullptr, from, to, before->trend > 0, true));
+  } else {  // V is the same everywhere
+    const double start = circle ? -pi : from, stop = circle ? pi : to;
+    for (const bool maximum : {false, true})
+      found.push_back(between(nullptr, &segments.front(), start, stop, maximum, !circle));
+  }
+}
+
+bool better(const Optimum& a, const Optimum& b) {
+  if (a.maximum != b.maximum) return b.maximum;
+  const double tie = 1e-9 * std::max(std::abs(a.effort), std::abs(b.effort));
+  if (std::abs(a.effort - b.effort) > tie) return (a.effort < b.effort) != a.maximum;
+  if (std::abs(std::abs(a.angle) - std::abs(b.angle)) > 1e-9)
+    return std::abs(a.angle) < std::abs(b.angle);
+  return a.angle > b.angle;
+}
+
+}  // namespace
+
+std::vector<Optimum> optima(const PostureCurve& curve) {
+  std::vector<Optimum> found;
+  for (const Interval& interval : curve.holdable) {
+    const bool circle = interval.to - interval.from >= 2 * pi;
+    std::vector<Segment> segments;
+    for (const double turn : {0.0, 2 * pi})
+      for (const Arc& arc : curve.arcs) {
+        const bool inside = arc.from + turn >= interval.from && arc.to + turn <= interval.to;
+        if (circle ? turn == 0 : inside) split(arc, turn, segments);
+      }
+    if (circle) {  // start at a segment that rises or falls, and come back to it
+      const auto start = std::find_if(segments.begin(), segments.end(),
+                                      [](const Segment& s) { return s.trend != 0; });
+      if (start != segments.end()) {
+        for (auto s = segments.begin(); s != start; ++s) {
+          s->from += 2 * pi;
+          s->to += 2 * pi;
+        }
+        std::rotate(segments.begin(), start, segments.end());
+        Segment again = segments.front();
+        again.from += 2 * pi;
+        again.to += 2 * pi;
+        segments.push_back(again);
+      }
+    }
+    find(segments, circle, found);
+  }
+  std::stable_sort(found.begin(), found.end(), better);
+  return found;
+}
+
+}  // namespace poise
