@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "files/field.hpp"
+#include "files/grasp_file.hpp"
+
+namespace poise {
+
+/// What is allowed but looks like a mistake, one line each: wrong units, normals that point the
+/// wrong way, contacts off the shape or on top of each other.
+std::vector<std::string> doubts(const GraspFile& file, const Grasp<2>& grasp, const Field& root);
+
+}  // namespace poise

@@ -1,0 +1,34 @@
+// Answers as JSON documents, for programs: docs/command-line.md.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/grasp_file.hpp"
+#include "poise/best_posture.hpp"
+
+namespace poise {
+
+/// An angle in degrees, never -0.
+double degrees(double radians);
+
+/// The force of the finger on the object at a contact, object frame [N].
+Vector<2> force_vector(const Contact<2>& contact, const ContactForce<2>& force);
+
+/// The posture that a hold was asked for, as it was given; neither where the file's was taken.
+struct PostureOption {
+  std::optional<double> angle_deg{};
+  std::optional<Vector<2>> up{};
+};
+
+/// Each of these is one JSON document in lines of readable length.
+std::string check_document(const GraspFile& file, const Grasp<2>& grasp);
+std::string hold_document(const Grasp<2>& grasp, double theta, const Hold<2>& hold,
+                          const HoldSettings& settings, const PostureOption& option = {});
+std::string best_document(const Grasp<2>& grasp, const BestPosture& best,
+                          const CurveSettings& settings);
+std::string curve_document(const Grasp<2>& grasp, const PostureCurve& curve,
+                           const CurveSettings& settings);
+
+}  // namespace poise

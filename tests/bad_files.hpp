@@ -1,0 +1,701 @@
+// Grasp files that must be refused, and the words for it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace poise {
+
+struct BadFile {
+  std::string name, text;
+  std::string message;  ///< what follows "FILE:"
+};
+
+inline const std::vector<BadFile> bad_files{
+    // The text.
+    {"empty", "", " is empty, must be a grasp file"},
+    {"only a comment", "# nothing\n", " is empty, must be a grasp file"},
+    {"a list",
+     "- 1\n"
+     "- 2\n",
+     "1:1: is a list of 2, must be a mapping"},
+    {"a number", "42\n", "1:1: is 42, must be a mapping"},
+    {"a line of text", "hold this\n", "1:1: is \"hold this\", must be a mapping"},
+    {"two documents",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "---\n"
+     "poise: 1\n",
+     "6:1: a second document begins here, must be one"},
+    {"bracket not closed",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:32: is not YAML: illegal flow end"},
+    {"quote not closed",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "name: \"disk\n",
+     "3:12: is not YAML: illegal EOF in scalar"},
+    {"JSON not closed", "{\"poise\": 1, \"dimension\": 2",
+     "1:28: is not YAML: end of map flow not found"},
+    {"indented by a tab",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object:\n"
+     "\tweight: 10\n"
+     "\tcom: [0, 0]\n",
+     "4:8: is not YAML: illegal map value (the line is indented by a tab)"},
+    {"unknown escape",
+     "poise: 1\n"
+     "name: \"a\\q\"\n",
+     "2:11: is not YAML: unknown escape character: q"},
+    {"no UTF-8",
+     "poise: 1\n"
+     "name: d\351j\340\n",
+     "2:8: is not UTF-8 text"},
+    {"UTF-16", std::string("\377\376p\000o\000i\000s\000e\000:\000 \0001\000\n\000", 20),
+     "1:1: is not UTF-8 text"},
+    {"NUL", std::string("poise: 1\nname: \000\n", 17), "2:7: is a control character, must be text"},
+    {"unknown alias",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "name: *nobody\n",
+     "3:7: is not YAML: the referenced anchor is not defined"},
+    {"alias of itself", "poise: &a [*a]\n", "1:12: an alias within the value that it stands for"},
+    {"nested too deeply",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "name: [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]\n",
+     "3:39: is nested too deeply"},
+    {"alias bomb",
+     "a: &a [x, x, x, x, x, x, x, x, x, x]\n"
+     "b: &b [*a, *a, *a, *a, *a, *a, *a, *a, *a, *a]\n"
+     "c: &c [*b, *b, *b, *b, *b, *b, *b, *b, *b, *b]\n"
+     "d: &d [*c, *c, *c, *c, *c, *c, *c, *c, *c, *c]\n"
+     "e: &e [*d, *d, *d, *d, *d, *d, *d, *d, *d, *d]\n"
+     "f: &f [*e, *e, *e, *e, *e, *e, *e, *e, *e, *e]\n"
+     "g: &g [*f, *f, *f, *f, *f, *f, *f, *f, *f, *f]\n",
+     "6:32: too many values, once aliases are written out"},
+    {"merge key",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "base: &base {weight: 10}\n"
+     "object: {<<: *base, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "4:10: merge keys are not part of YAML 1.2, write the keys out"},
+    {"key that is a list",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "? [name]\n"
+     ": disk\n",
+     "3:3: is a key, must be text"},
+    {"tag", "poise: !version 1\n", "1:8: has the tag !version, must have none"},
+    // The top.
+    {"no version",
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "1:1: poise: is missing, must be 1, the version of this format"},
+    {"newer version",
+     "poise: 2\n"
+     "plan: all\n",
+     "1:8: poise: is 2, this program reads 1: a newer one is needed"},
+    {"version is text", "poise: \"1\"\n", "1:8: poise: is \"1\", must be a number"},
+    {"version below 1", "poise: 0.5\n", "1:8: poise: is 0.5, must be 1"},
+    {"no dimension",
+     "poise: 1\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "1:1: dimension: is missing, must be 2 (the plane)"},
+    {"space",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "2:12: dimension: is 3, this version reads the plane only, must be 2"},
+    {"dimension 4",
+     "poise: 1\n"
+     "dimension: 4\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "2:12: dimension: is 4, must be 2 (the plane)"},
+    {"unknown key",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "saftey: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:1: saftey: is not a known key, the nearest is safety"},
+    {"key given twice",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "safety: 2\n"
+     "name: disk\n"
+     "safety: 3\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "5:1: safety: is given twice, first in line 3"},
+    {"name is a number",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "name: 12\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:7: name: is 12, must be text: put it in quotes"},
+    {"name of two lines",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "name: |\n"
+     "  a\n"
+     "  b\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:7: name: is \"a?b?\", must be one line of text without control characters"},
+    {"safety below 1",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "safety: 0.5\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:9: safety: is 0.5, must be at least 1"},
+    {"safety is yes",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "safety: yes\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:9: safety: is \"yes\", must be a number"},
+    {"angle not finite",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "angle_deg: .nan\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:12: angle_deg: is nan, must be a finite number"},
+    {"angle is text",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "angle_deg: 30deg\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:12: angle_deg: is \"30deg\", must be a number"},
+    {"unknown domain",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "domain: cradled\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:9: domain: is \"cradled\", must be all or pinched"},
+    {"unknown unit",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "length_unit: km\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:14: length_unit: is \"km\", must be m, cm, mm or in"},
+    {"unknown direction of normals",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "normals: outwards\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:10: normals: is \"outwards\", must be inward or outward"},
+    {"up in the plane",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "up: [0, 0, 1]\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:1: up: belongs to space (dimension 3), not to the plane"},
+    {"tilt in the plane",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "tilt: {from: [0, 0, 1], max_deg: 30}\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:1: tilt: belongs to space (dimension 3), not to the plane"},
+    {"value missing",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "safety:\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:1: safety: is empty, must be a number"},
+    // The object.
+    {"no object",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "1:1: object: is missing, must be a mapping"},
+    {"object is a number",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: 10\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:9: object: is 10, must be a mapping (keys: weight, mass, com, shape)"},
+    {"unknown key of the object",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {wieght: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:10: object.wieght: is not a known key, the nearest is weight"},
+    {"object key given twice",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object:\n"
+     "  weight: 10\n"
+     "  com: [0, 0]\n"
+     "  weight: 10\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "6:3: object.weight: is given twice, first in line 4"},
+    {"neither weight nor mass",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:9: object.weight: is missing, must be a force [N], or give mass [kg]"},
+    {"weight and mass",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, mass: 1, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:28: object.mass: is given as well as weight, must be one of them"},
+    {"weight 0",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 0, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:18: object.weight: is 0, must be above 0"},
+    {"weight with a unit",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10 N, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:18: object.weight: is \"10 N\", must be a number"},
+    {"weight in JSON is text",
+     "{\"poise\": 1, \"dimension\": 2,\n"
+     " \"object\": {\"weight\": \"10\", \"com\": [0, 0]}, \"contacts\": []}\n",
+     "2:23: object.weight: is \"10\", must be a number"},
+    {"weight infinite",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: .inf, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:18: object.weight: is inf, must be a finite number"},
+    {"weight beyond doubles",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 1e400, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:18: object.weight: is inf, must be a finite number"},
+    {"square of the weight overflows",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 1e200, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:18: object.weight: is 1e+200, must be within 1.3e154, or its square overflows"},
+    {"negative mass",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {mass: -1, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:16: object.mass: is -1, must be above 0"},
+    {"neither com nor shape",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:9: object.com: is missing, must be [x, y], as there is no shape"},
+    {"com of three numbers",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:27: object.com: is a list of 3, must be [x, y]"},
+    {"com with a comma as decimal point",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0,5, 0,5]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:27: object.com: is a list of 4, must be [x, y]"},
+    {"com of text",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, left]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:31: object.com[1]: is \"left\", must be a number"},
+    {"com too long",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [1.3e154, 1.3e154]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:27: object.com: is too long, its square overflows"},
+    {"scenarios in the plane",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {scenarios: [{weight: 1, com: [0, 0]}]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:10: object.scenarios: belongs to space (dimension 3), not to the plane"},
+    // The shape.
+    {"unknown shape",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {circle: {radius: 1}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:30: object.shape.circle: is not a known key, the nearest is disk"},
+    {"two shapes",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {disk: {radius: 1}, ellipse: {radii: [1, 1]}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:29: object.shape: has 2 kinds, must have one: disk, ellipse or polygon"},
+    {"no shape",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:29: object.shape: has 0 kinds, must have one: disk, ellipse or polygon"},
+    {"shape of space",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {mesh: cup.stl}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:30: object.shape.mesh: belongs to space (dimension 3), not to the plane"},
+    {"disk without radius",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {disk: {}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:36: object.shape.disk.radius: is missing, must be a length"},
+    {"disk of a number",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {disk: 1}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:36: object.shape.disk: is 1, must be a mapping (keys: radius)"},
+    {"radius 0",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {disk: {radius: 0}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:45: object.shape.disk.radius: is 0, must be above 0"},
+    {"radius too small",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {disk: {radius: 1e-300}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:45: object.shape.disk.radius: is 1e-300, too small to compute with"},
+    {"ellipse with one radius",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {ellipse: {radii: [1]}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:47: object.shape.ellipse.radii: is a list of 1, must be [x, y]"},
+    {"negative radius",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {ellipse: {radii: [1, -1]}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:51: object.shape.ellipse.radii[1]: is -1, must be above 0"},
+    {"needle",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {ellipse: {radii: [1, 1e-9]}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:47: object.shape.ellipse.radii: are 1 and 1e-09, one must be at most 1e6 times the other"},
+    {"two vertices",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {polygon: [[0, 0], [1, 0]]}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:39: object.shape.polygon: has 2 vertices, must have 3 to 10000"},
+    {"a vertex of one number",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {polygon: [[0, 0], [1, 0], [1]]}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:56: object.shape.polygon[2]: is a list of 1, must be [x, y]"},
+    {"edges cross",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {polygon: [[0, 0], [1, 1], [1, 0], [0, 1]]}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:39: object.shape.polygon: edges 0 and 2 cross or touch, an outline must not touch itself"},
+    {"edges fold back",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {polygon: [[0, 0], [2, 0], [1, 0], [1, 1]]}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:39: object.shape.polygon: edges 0 and 1 fold back on each other, an outline must not touch "
+     "itself"},
+    {"first vertex repeated",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {polygon: [[0, 0], [1, 0], [1, 1], [0, 0]]}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:39: object.shape.polygon: edge 3, from vertex 3 to vertex 0, has no length: a vertex is "
+     "given twice"},
+    {"outline touches itself",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {polygon: [[0, 0], [2, 0], [2, 2], [1, 0], [0, 2]]}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:39: object.shape.polygon: edges 0 and 2 cross or touch, an outline must not touch itself"},
+    {"contact off the shape",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {disk: {radius: 1}}}\n"
+     "contacts:\n"
+     "  - {position: [0.9, 0], friction: 1}\n",
+     "5:16: contacts[0].position: is 0.1 m from the boundary of the shape, must be within 0.0001 m "
+     "of it, or give the normal"},
+    {"contact at a corner",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {polygon: [[0, 0], [1, 0], [1, 1], [0, 1]]}}\n"
+     "contacts:\n"
+     "  - {position: [1, 1], friction: 1}\n",
+     "5:16: contacts[0].position: is at the corner between edges 1 and 2 of the polygon, give the "
+     "normal"},
+    // The contacts.
+    {"contacts missing",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n",
+     "1:1: contacts: is missing, must be a list"},
+    {"no contacts",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts: []\n",
+     "4:11: contacts: is empty, must hold at least one contact"},
+    {"contacts are a mapping",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts: {left: 1}\n",
+     "4:11: contacts: is a mapping, must be a list"},
+    {"contact is a number",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts: [1]\n",
+     "4:12: contacts[0]: is 1, must be a mapping (keys: position, normal, friction, min_normal, "
+     "max_normal, share, finger)"},
+    {"no position",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {normal: [1, 0], friction: 1}\n",
+     "6:5: contacts[1].position: is missing, must be [x, y]"},
+    {"position of one number",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [1], normal: [1, 0], friction: 1}\n",
+     "6:16: contacts[1].position: is a list of 1, must be [x, y]"},
+    {"position of three numbers",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [1, 0, 0], normal: [1, 0], friction: 1}\n",
+     "6:16: contacts[1].position: is a list of 3, must be [x, y]"},
+    {"position not finite",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [.inf, 0], normal: [1, 0], friction: 1}\n",
+     "6:17: contacts[1].position[0]: is inf, must be a finite number"},
+    {"no normal, no shape",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], friction: 1}\n",
+     "6:5: contacts[1].normal: is missing, must be [x, y], as there is no shape"},
+    {"normal without length",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [0, 0], friction: 1}\n",
+     "6:33: contacts[1].normal: has no length, must point from the finger inwards"},
+    {"no friction",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0]}\n",
+     "6:5: contacts[1].friction: is missing, must be a number"},
+    {"negative friction",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0], friction: -1}\n",
+     "6:51: contacts[1].friction: is -1, must be at least 0"},
+    {"unknown key of a contact",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0], fricton: 1}\n",
+     "6:41: contacts[1].fricton: is not a known key, the nearest is friction"},
+    {"contact key given twice",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - position: [1, 0]\n"
+     "    normal: [1, 0]\n"
+     "    friction: 1\n"
+     "    friction: 2\n",
+     "8:5: contacts[0].friction: is given twice, first in line 7"},
+    {"torsion in the plane",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0], friction: 1, torsion: 0.01}\n",
+     "6:54: contacts[1].torsion: belongs to space (dimension 3), not to the plane"},
+    {"negative min_normal",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0], friction: 1, min_normal: -2}\n",
+     "6:66: contacts[1].min_normal: is -2, must be at least 0"},
+    {"max_normal below min_normal",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0], friction: 1, min_normal: 2, max_normal: 1}\n",
+     "6:81: contacts[1].max_normal: is 1, must be at least min_normal, 2"},
+    {"max_normal infinite",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0], friction: 1, max_normal: .inf}\n",
+     "6:66: contacts[1].max_normal: is inf, must be a finite number"},
+    {"share 0",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0], friction: 1, share: 0}\n",
+     "6:61: contacts[1].share: is 0, must be above 0 and at most 1"},
+    {"share above 1",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0], friction: 1, share: 1.5}\n",
+     "6:61: contacts[1].share: is 1.5, must be above 0 and at most 1"},
+    {"finger is a number",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0], friction: 1, finger: 2}\n",
+     "6:62: contacts[1].finger: is 2, must be text: put it in quotes"},
+    {"finger is empty",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0], friction: 1, finger: \"\"}\n",
+     "6:62: contacts[1].finger: is \"\", must be text"},
+    {"finger with a control character",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
+     "  - {position: [-1, 0], normal: [1, 0], friction: 1, finger: \"a\\eb\"}\n",
+     "6:62: contacts[1].finger: is \"a?b\", must be one line of text without control characters"},
+};
+
+}  // namespace poise
