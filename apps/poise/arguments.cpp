@@ -1,0 +1,168 @@
+#include "arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+#include "files/text.hpp"
+
+namespace poise {
+namespace {
+
+std::string quoted(const std::string& text) { return "'" + shown(text) + "'"; }
+
+/// A finite number, and nothing after it.
+std::optional<double> parsed(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end || !std::isfinite(value)) return {};
+  return value;
+}
+
+double read_angle(const std::string& text) {
+  const auto degrees = parsed(text);
+  if (!degrees) throw UsageError("--angle: " + quoted(text) + " is not a number of degrees");
+  const double angle = std::remainder(*degrees, 360.0);
+  return angle <= -180 ? 180 : angle;
+}
+
+Vector<2> read_up(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  const auto x = parsed(text.substr(0, comma));
+  const auto y = comma == text.npos ? std::nullopt : parsed(text.substr(comma + 1));
+  if (!x || !y)
+    throw UsageError("--up: " + quoted(text) + " is not a direction, must be like 0.5,0.8");
+  const Vector<2> up(*x, *y);
+  if (up.isZero(0)) throw UsageError("--up: 0,0 has no direction");
+  return up;
+}
+
+double read_force_cap(const std::string& text) {
+  const auto cap = parsed(text);
+  if (!cap || !(*cap > 0 && *cap <= 1e9))
+    throw UsageError("--force-cap: " + quoted(text) +
+                     " is not a number of weights, must be above 0 and at most 1e9");
+  return *cap;
+}
+
+Domain read_domain(const std::string& text) {
+  if (text == "all") return Domain::all;
+  if (text == "pinched") return Domain::pinched;
+  throw UsageError("--domain: " + quoted(text) + " must be all or pinched");
+}
+
+std::string full_name(const CLI::App& command) {
+  return (command.get_parent() ? "poise " : "") + command.get_name();
+}
+
+std::string options_of(const CLI::App& command) {
+  std::string list;
+  for (const CLI::Option* const option : command.get_options())
+    if (!option->get_lnames().empty())
+      list += (list.empty() ? "--" : ", --") + option->get_lnames().front();
+  return list;
+}
+
+/// The command line as CLI11 sees it, and where it puts what it finds.
+struct Parser {
+  CLI::App app{
+      "How to turn a held object so that its fingers press least, and how hard they press."};
+  Arguments arguments{};
+  std::optional<std::string> angle{}, up{}, domain{}, force_cap{};
+
+  Parser() {
+    app.name("poise");
+    app.set_version_flag("--version", "poise " POISE_VERSION, "Print the version");
+    app.set_help_flag("-h,--help", "Print this help");
+    app.require_subcommand(1);
+    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    app.get_formatter()->label("Positionals", "Arguments");
+    app.get_formatter()->label("REQUIRED", "");
+    app.get_formatter()->label("Excludes", "not with");
+    app.footer(
+        "FILE is a grasp file (YAML or JSON), or - for standard input.\n"
+        "Exit status: 0 it can be held, 1 it cannot be held, 2 bad input or usage.");
+
+    add("check", "Say how a grasp file is understood, with warnings");
+    CLI::App* const hold = add("hold", "The least contact forces in one posture");
+    CLI::App* const best = add("best", "The posture in which the fingers press least");
+    CLI::App* const curve = add("curve", "The least effort over all postures, with its optima");
+
+    auto* const angle_option =
+        hold->add_option("--angle", angle, "Posture: the object turned counter-clockwise")
+            ->type_name("DEG");
+    hold->add_option("--up", up, "Posture: the direction against gravity")
+        ->type_name("X,Y")
+        ->excludes(angle_option);
+    for (CLI::App* const command : {best, curve})
+      command->add_option("--domain", domain, "Postures to choose from: all, or those not cradled")
+          ->type_name("all|pinched");
+    for (CLI::App* const command : {hold, best, curve})
+      command
+          ->add_option("--force-cap", force_cap, "Greatest force norm of a hold, in weights (1e6)")
+          ->type_name("N");
+    curve->add_option("--plot", arguments.plot, "Draw the held object beside the curve")
+        ->type_name("SVG");
+  }
+
+  CLI::App* add(const std::string& name, const std::string& description) {
+    CLI::App* const command = app.add_subcommand(name, description)->group("Commands");
+    command->add_option("FILE", arguments.file, "The grasp file")->type_name("")->required();
+    command->add_flag("--json", arguments.json, "Print one JSON document instead of tables")
+        ->disable_flag_override();
+    return command;
+  }
+
+  void read_values() {
+    const std::string& name = app.get_subcommands().front()->get_name();
+    arguments.command = name == "check"  ? Command::check
+                        : name == "hold" ? Command::hold
+                        : name == "best" ? Command::best
+                                         : Command::curve;
+    if (angle) arguments.angle_deg = read_angle(*angle);
+    if (up) arguments.up = read_up(*up);
+    if (domain) arguments.domain = read_domain(*domain);
+    if (arguments.plot && arguments.plot->empty()) throw UsageError("--plot: '' is not a file");
+    if (force_cap) arguments.force_cap = read_force_cap(*force_cap);
+  }
+
+  /// What to say about words that nothing was waiting for.
+  void refuse_rest() const {
+    const auto commands = app.get_subcommands();
+    const bool before = commands.empty() || !app.remaining().empty();
+    const CLI::App& command = before ? app : *commands.front();
+    const std::vector<std::string> rest = command.remaining();
+    if (rest.empty()) return;
+    const auto option = std::find_if(rest.begin(), rest.end(),
+                                     [](const auto& word) { return word.starts_with('-'); });
+    const std::string& word = option != rest.end() ? *option : rest.front();
+    if (word.starts_with('-'))
+      throw UsageError("unknown option " + shown(word) + ", " + full_name(command) + " knows " +
+                       options_of(command));
+    if (before)
+      throw UsageError("unknown command " + quoted(word) + ", must be check, hold, best or curve");
+    throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes one FILE");
+  }
+};
+
+}  // namespace
+
+std::variant<Arguments, std::string> read_arguments(int argc, const char* const* argv) {
+  Parser parser;
+  try {
+    parser.app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // help or version
+    std::ostringstream text;
+    parser.app.exit(asked, text, text);
+    return text.str();
+  } catch (const CLI::ParseError& error) {
+    parser.refuse_rest();
+    throw UsageError(std::string(error.what()) + ", see poise --help");
+  }
+  parser.read_values();
+  return parser.arguments;
+}
+
+}  // namespace poise

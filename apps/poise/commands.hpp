@@ -1,0 +1,18 @@
+// What each command answers.
+#pragma once
+
+#include <string>
+
+#include "arguments.hpp"
+
+namespace poise {
+
+struct Answer {
+  std::string text;  ///< for standard output
+  bool holds{true};  ///< whether the object can be held (somewhere)
+};
+
+/// @throws FileError for a bad grasp file, PlotError for a picture that cannot be drawn
+Answer answer(const Arguments& arguments);
+
+}  // namespace poise

@@ -1,0 +1,354 @@
+// The program as its users meet it: a child process with arguments, streams and an exit status.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "bad_files.hpp"
+
+namespace poise {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+std::string contents(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+struct Outcome {
+  int status;  ///< -1 where a signal ended it
+  std::string out, err;
+};
+
+class CommandLine : public testing::Test {
+ protected:
+  CommandLine()
+      : folder_(fs::path(testing::TempDir()) / ("poise_cli_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~CommandLine() override { fs::remove_all(folder_); }
+
+  /// Runs the program in the test's folder; the arguments are a piece of shell.
+  Outcome poise(const std::string& arguments, const std::string& environment = "") const {
+    return shell(environment + " '" POISE_PROGRAM "' " + arguments);
+  }
+  Outcome shell(const std::string& command) const {
+    const std::string in = folder_.string();
+    const int status =
+        std::system(("cd '" + in + "' && (" + command + ") >out.txt 2>err.txt </dev/null").c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder_ / "out.txt"),
+            contents(folder_ / "err.txt")};
+  }
+  Json json(const std::string& arguments, int status = 0) const {
+    const Outcome run = poise(arguments + " --json");
+    EXPECT_EQ(run.status, status) << arguments << "\n" << run.err;
+    EXPECT_EQ(run.err, "") << arguments;
+    return Json::parse(run.out);
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return name;
+  }
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  fs::path folder_;
+};
+
+std::string example(const std::string& name) { return "'" POISE_EXAMPLES "/" + name + ".yaml'"; }
+
+/// Fig. 4(c) of the paper: only the ends of its range can be held.
+const std::string fig_4c =
+    "poise: 1\n"
+    "dimension: 2\n"
+    "object: {weight: 10, com: [0, 0], shape: {disk: {radius: 1}}}\n"
+    "contacts:\n"
+    "  - {position: [0.7071067811865476, 0.7071067811865476], friction: 1}\n"
+    "  - {position: [-0.7071067811865476, 0.7071067811865476], friction: 1}\n";
+
+/// Both fingers push the same way, beside the centre of mass.
+const std::string not_to_be_held =
+    "{\"poise\": 1, \"dimension\": 2, \"object\": {\"weight\": 10, \"com\": [0, 1]},\n"
+    " \"contacts\": [{\"position\": [1, 0], \"normal\": [0, 1], \"friction\": 0.1},\n"
+    "                {\"position\": [1.5, 0], \"normal\": [0, 1], \"friction\": 0.1}]}\n";
+
+void expect_minimum(const Json& minimum, double angle, double effort, const std::string& kind,
+                    const std::string& manner) {
+  EXPECT_NEAR(minimum["angle_deg"], angle, 1e-9);
+  EXPECT_NEAR(minimum["effort"], effort, 1e-9 * effort);
+  EXPECT_EQ(minimum["kind"], kind);
+  EXPECT_EQ(minimum["manner"], manner);
+}
+
+TEST_F(CommandLine, FindsTheOptimaOfThePapersFig6) {
+  const Json pinched = json("best " + example("ito-fig6") + " --domain pinched");
+  ASSERT_EQ(pinched["minima"].size(), 3U);
+  expect_minimum(pinched["minima"][0], 105, 100, "boundary", "resting");
+  expect_minimum(pinched["minima"][1], -105, 100, "boundary", "resting");
+  expect_minimum(pinched["minima"][2], 30, 300, "kink", "pinched");
+  EXPECT_EQ(pinched["best_pinched"], pinched["minima"][2]);
+
+  const Json all = json("best " + example("ito-fig6"));
+  expect_minimum(all["best"], 165, 80.38475772933680, "kink", "cradled");
+  expect_minimum(all["best_pinched"], 30, 300, "kink", "pinched");
+  EXPECT_NEAR(all["relative_gap"], 0, 1e-9);
+}
+
+TEST_F(CommandLine, HoldsThePapersFig4cAtTheEndsAlone) {
+  write("4c.yaml", fig_4c);
+  const Json best = json("best 4c.yaml --domain pinched");
+  ASSERT_EQ(best["minima"].size(), 2U);
+  expect_minimum(best["minima"][0], 135, 100, "boundary", "resting");
+  expect_minimum(best["minima"][1], -135, 100, "boundary", "resting");
+  EXPECT_TRUE(best["best_pinched"].is_null());
+
+  const Json hold = json("hold 4c.yaml --angle 20", 1);
+  EXPECT_EQ(hold["holdable"], false);
+  EXPECT_GT(hold["lower_bound"], 1e12 * 100);
+  EXPECT_FALSE(hold["reason"].get<std::string>().empty());
+}
+
+TEST_F(CommandLine, GivesTheAnswersThatTheExamplesTell) {
+  const Json l_part = json("best " + example("l-part"));
+  EXPECT_NEAR(l_part["best"]["angle_deg"], 131.99, 0.005);
+  EXPECT_NEAR(l_part["best"]["grip_force"], 1.184, 0.0005);
+  EXPECT_EQ(l_part["best"]["manner"], "cradled");
+  EXPECT_NEAR(l_part["best_pinched"]["angle_deg"], -25.46, 0.005);
+  EXPECT_NEAR(l_part["best_pinched"]["grip_force"], 1.233, 0.0005);
+  EXPECT_NEAR(json("hold " + example("l-part"))["grip_force"], 2.125, 0.0005);
+
+  const Json hexagon = json("best " + example("hexagon-three-fingers"));
+  EXPECT_NEAR(hexagon["best"]["angle_deg"], -173.22, 0.005);
+  EXPECT_NEAR(hexagon["best"]["grip_force"], 5.057, 0.0005);
+  EXPECT_EQ(hexagon["best"]["contacts"][2]["limit"], "min");
+  EXPECT_NEAR(hexagon["holdable_arcs_deg"][0][0], 54, 0.5);
+  EXPECT_NEAR(hexagon["holdable_arcs_deg"][0][1], 360 - 54, 0.5);
+  EXPECT_NEAR(json("hold " + example("hexagon-three-fingers"))["grip_force"], 7.072, 0.0005);
+}
+
+TEST_F(CommandLine, ExitsWith1WhereNothingCanBeHeld) {
+  write("no.json", not_to_be_held);
+  for (const std::string command : {"hold", "best", "curve"})
+    for (const std::string json : {"", " --json"}) {
+      const Outcome run = poise(command + " no.json" + json);
+      EXPECT_EQ(run.status, 1) << command << json;
+      EXPECT_EQ(run.err, "") << command << json;
+      EXPECT_NE(run.out, "") << command << json;
+    }
+  EXPECT_EQ(poise("check no.json").status, 0);
+}
+
+TEST_F(CommandLine, RefusesEveryBadFileInItsWords) {
+  for (const BadFile& bad : bad_files) {
+    write("bad.yaml", bad.text);
+    const Outcome run = poise("best bad.yaml --json");
+    EXPECT_EQ(run.status, 2) << bad.name;
+    EXPECT_EQ(run.err, "poise: bad.yaml:" + bad.message + "\n") << bad.name;
+    EXPECT_EQ(run.out, "") << bad.name;
+  }
+}
+
+TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
+  write("4c.yaml", fig_4c);
+  const struct {
+    std::string arguments, words;
+  } usages[] = {
+      {"", "A subcommand is required"},
+      {"hodl 4c.yaml", "unknown command 'hodl', must be check, hold, best or curve"},
+      {"best", "FILE is required"},
+      {"best 4c.yaml 4c.yaml", "unexpected '4c.yaml', poise best takes one FILE"},
+      {"best 4c.yaml hold", "unexpected 'hold'"},
+      {"best 4c.yaml --jsn",
+       "unknown option --jsn, poise best knows --help, --json, --domain, --force-cap"},
+      {"best 4c.yaml --angle 3", "unknown option --angle"},
+      {"best 4c.yaml --json=3", "disallowed flag override"},
+      {"--json best 4c.yaml", "unknown option --json, poise knows --version, --help"},
+      {"check 4c.yaml --domain all", "unknown option --domain"},
+      {"hold 4c.yaml --domain all", "unknown option --domain"},
+      {"hold 4c.yaml --angle", "--angle"},
+      {"hold 4c.yaml --angle ''", "--angle: '' is not a number of degrees"},
+      {"hold 4c.yaml --angle 1x", "--angle: '1x' is not a number of degrees"},
+      {"hold 4c.yaml --angle nan", "--angle: 'nan' is not a number of degrees"},
+      {"hold 4c.yaml --angle 1e999", "--angle: '1e999' is not a number of degrees"},
+      {"hold 4c.yaml --angle 1 --angle 2", "--angle"},
+      {"hold 4c.yaml --angle 1 --up 0,1", "--angle excludes --up"},
+      {"hold 4c.yaml --up 0,0", "--up: 0,0 has no direction"},
+      {"hold 4c.yaml --up 1", "--up: '1' is not a direction, must be like 0.5,0.8"},
+      {"hold 4c.yaml --up 1,2,3", "--up: '1,2,3' is not a direction"},
+      {"best 4c.yaml --domain half", "--domain: 'half' must be all or pinched"},
+      {"best 4c.yaml --force-cap 0", "--force-cap: '0' is not a number of weights"},
+      {"best 4c.yaml --force-cap -1", "--force-cap: '-1'"},
+      {"best 4c.yaml --force-cap 1e10", "--force-cap: '1e10'"},
+      {"best 4c.yaml --force-cap inf", "--force-cap: 'inf'"},
+      {"curve 4c.yaml --plot", "--plot"},
+      {"curve 4c.yaml --plot ''", "--plot: '' is not a file"},
+      {"best none.yaml", "none.yaml: cannot be opened: No such file or directory"},
+      {"best .", ".: is a directory"},
+      {"best ''", "cannot be opened"},
+  };
+  for (const auto& usage : usages) {
+    const Outcome run = poise(usage.arguments);
+    EXPECT_EQ(run.status, 2) << usage.arguments;
+    EXPECT_EQ(run.out, "") << usage.arguments;
+    EXPECT_EQ(run.err.find("poise: "), 0U) << usage.arguments << ": " << run.err;
+    EXPECT_NE(run.err.find(usage.words), run.err.npos) << usage.arguments << ": " << run.err;
+    EXPECT_LE(std::count(run.err.begin(), run.err.end(), '\n'), 2) << run.err;
+  }
+}
+
+TEST_F(CommandLine, PrintsHelpAndVersion) {
+  for (const std::string arguments :
+       {"--help", "-h", "check --help", "hold --help", "best --help", "curve -h", "--version"}) {
+    const Outcome run = poise(arguments);
+    EXPECT_EQ(run.status, 0) << arguments;
+    EXPECT_EQ(run.err, "") << arguments;
+    EXPECT_NE(run.out.find("poise"), run.out.npos) << arguments;
+  }
+}
+
+TEST_F(CommandLine, TakesPosturesInEveryForm) {
+  const std::string file = example("ito-fig6");
+  const Json upright = json("hold " + file);
+  EXPECT_EQ(upright["angle_deg"], 0.0);
+  EXPECT_EQ(upright["options"], Json::parse(R"({"force_cap": 1000000.0})"));
+  EXPECT_EQ(json("hold " + file + " --angle -330")["angle_deg"], 30.0);
+  EXPECT_EQ(json("hold " + file + " --angle=-180")["angle_deg"], 180.0);
+  EXPECT_EQ(json("hold " + file + " --angle +12.5")["angle_deg"], 12.5);
+  EXPECT_NEAR(json("hold " + file + " --up 1,-1")["angle_deg"], 135, 1e-12);
+  EXPECT_NEAR(json("hold " + file + " --up -0.001,0")["angle_deg"], -90, 1e-12);
+  EXPECT_EQ(json("hold " + example("hexagon-three-fingers"))["angle_deg"], 90.0);
+}
+
+TEST_F(CommandLine, ReadsStandardInput) {
+  const Outcome run =
+      shell("printf '%s' '" + fig_4c + "' | '" POISE_PROGRAM "' hold - --angle 180");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(shell("printf '{' | '" POISE_PROGRAM "' best -").err.find("poise: standard input:1:"),
+            0U);
+}
+
+TEST_F(CommandLine, TheFlagOverridesTheDomainOfTheFile) {
+  write("pinched.yaml", fig_4c + "domain: pinched\n");
+  EXPECT_EQ(json("best pinched.yaml")["options"]["domain"], "pinched");
+  EXPECT_EQ(json("best pinched.yaml")["minima"].size(), 2U);
+  EXPECT_EQ(json("best pinched.yaml --domain all")["options"]["domain"], "all");
+  EXPECT_EQ(json("best pinched.yaml --domain all")["best"]["angle_deg"], 180.0);
+}
+
+TEST_F(CommandLine, TheForceCapDecidesWhatIsHeld) {
+  EXPECT_EQ(json("hold " + example("ito-fig6") + " --angle 30 --force-cap 1.75")["holdable"], true);
+  EXPECT_EQ(json("hold " + example("ito-fig6") + " --angle 30 --force-cap 1.7", 1)["holdable"],
+            false);
+}
+
+TEST_F(CommandLine, WarningsDoNotMixWithTheAnswer) {
+  write("doubtful.yaml", fig_4c + "  - {position: [0, -1], friction: 20}\n");
+  const Outcome run = poise("best doubtful.yaml --json");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err.find("poise: doubtful.yaml:7:"), 0U) << run.err;
+  EXPECT_TRUE(Json::accept(run.out));
+
+  const Outcome check = poise("check doubtful.yaml");
+  EXPECT_EQ(check.status, 0);
+  EXPECT_EQ(check.err, "");
+  EXPECT_NE(check.out.find("doubtful.yaml:7:"), check.out.npos);
+}
+
+TEST_F(CommandLine, PrintsNoColourIntoAPipe) {
+  for (const std::string command : {"check ", "hold ", "best ", "curve "})
+    EXPECT_EQ(poise(command + example("l-part"), "TERM=xterm").out.find('\033'), std::string::npos);
+}
+
+TEST_F(CommandLine, SaysHowToGetFromNowToTheBest) {
+  const std::string out = poise("best " + example("l-part")).out;
+  for (const char* words : {"now", "best pinched", "turn by 25.46° clockwise", "times the effort"})
+    EXPECT_NE(out.find(words), out.npos) << words << "\n" << out;
+}
+
+TEST_F(CommandLine, SaysSoWhereTheAnswerCannotBeWritten) {
+  const std::string best = "'" POISE_PROGRAM "' best " + example("l-part");
+  const Outcome full = shell(best + " >/dev/full");
+  EXPECT_EQ(full.status, 2);
+  EXPECT_EQ(full.err, "poise: cannot write the answer: No space left on device\n");
+  EXPECT_EQ(shell(best + " >&-").status, 2);
+
+  // A reader that leaves early ends it quietly.
+  const Outcome head = shell(best + " --json | head -1");
+  EXPECT_EQ(head.status, 0);
+  EXPECT_EQ(head.out, "{\n");
+  EXPECT_EQ(head.err, "");
+  const Outcome left = shell("(sleep 0.2; " + best + " --json; echo $? >status.txt) | true");
+  EXPECT_EQ(left.err, "");
+  EXPECT_EQ(contents(folder() / "status.txt"), "2\n");
+}
+
+class Plot : public CommandLine {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) GTEST_SKIP() << "needs gnuplot";
+  }
+};
+
+TEST_F(Plot, DrawsEveryExample) {
+  for (const std::string name : {"ito-fig6", "l-part", "hexagon-three-fingers"}) {
+    const Outcome run = poise("curve " + example(name) + " --plot curve.svg");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.out.find("Drawn in curve.svg"), run.out.npos);
+    const std::string svg = contents(folder() / "curve.svg");
+    EXPECT_NE(svg.find("<svg"), svg.npos);
+    EXPECT_NE(svg.find("</svg>"), svg.npos);
+    EXPECT_NE(svg.find("best pinched"), svg.npos);
+  }
+}
+
+TEST_F(Plot, DrawsWhatCannotBeHeldToo) {
+  write("no.json", not_to_be_held);
+  const Outcome run = poise("curve no.json --json --plot no.svg");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "");
+  EXPECT_TRUE(Json::accept(run.out));
+  EXPECT_NE(contents(folder() / "no.svg").find("cannot be held in any posture"), std::string::npos);
+}
+
+TEST_F(Plot, TakesNamesAsTheyAre) {
+  write("name.yaml", fig_4c + "name: \"it's `touch was_run` {/Symbol a} <b>&amp; @x $y \\\\ é\"\n");
+  EXPECT_EQ(poise("curve name.yaml --plot \"it's a name.svg\"").status, 0);
+  const std::string svg = contents(folder() / "it's a name.svg");
+  EXPECT_NE(svg.find("it's `touch was_run` {/Symbol a} &lt;b>&amp;amp; @x $y \\ é"), svg.npos);
+  EXPECT_FALSE(fs::exists(folder() / "was_run"));
+}
+
+TEST_F(Plot, LeavesNothingBehindWhereItFails) {
+  const std::string curve = "curve " + example("l-part") + " --plot ";
+  const Outcome missing = poise(curve + "none/x.svg");
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_EQ(missing.out, "");
+  EXPECT_EQ(missing.err, "poise: none/x.svg: cannot be written: No such file or directory\n");
+  EXPECT_EQ(poise(curve + "/dev/null").err, "poise: /dev/null: is not a file to write to\n");
+  EXPECT_EQ(poise(curve + ".").err, "poise: .: is not a file to write to\n");
+
+  fs::create_directory(folder() / "empty");
+  write("old.svg", "old");
+  const Outcome no_gnuplot =
+      poise(curve + "old.svg", "PATH='" + (folder() / "empty").string() + "'");
+  EXPECT_EQ(no_gnuplot.status, 2);
+  EXPECT_EQ(no_gnuplot.out, "");
+  EXPECT_NE(no_gnuplot.err.find("needs gnuplot"), no_gnuplot.err.npos) << no_gnuplot.err;
+  EXPECT_EQ(contents(folder() / "old.svg"), "old");
+  for (const auto& entry : fs::directory_iterator(folder()))
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+
+  EXPECT_EQ(poise(curve + "old.svg").status, 0);
+  EXPECT_NE(contents(folder() / "old.svg"), "old");
+}
+
+}  // namespace
+}  // namespace poise
