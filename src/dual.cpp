@@ -1,5 +1,6 @@
 #include "dual.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -176,13 +177,22 @@ bool polish(const ScaledGrasp<2>& grasp, const Wrench<2>& w, double tolerance, P
   if (size<2>(trial.residual) > std::max(delta, tolerance / 100 * scale)) return false;
   Point<2> proof = trial;
   evaluate(grasp, w, trial.y, proof);
-  if (effort - 2 * proof.value > 1e3 * tolerance * effort) return false;
+  if (std::abs(effort - 2 * proof.value) > 1e3 * tolerance * effort) return false;
   trial.value = proof.value;
   point = trial;
   return true;
 }
 
 }  // namespace
+
+Eigen::Matrix<double, 3, 2> columns(const ScaledGrasp<2>& grasp, std::size_t contact) {
+  const ContactLane<2>& c = grasp.lanes[contact / lane_size];
+  const std::size_t k = contact % lane_size;
+  Eigen::Matrix<double, 3, 2> G;
+  G << c.nx[k], -c.ny[k], c.ny[k], c.nx[k], c.nx[k] * c.jx[k] + c.ny[k] * c.jy[k],
+      c.nx[k] * c.jy[k] - c.ny[k] * c.jx[k];
+  return G;
+}
 
 Face face(const ScaledGrasp<2>& grasp, std::size_t contact, const Vector<2>& z) {
   const ContactLane<2>& c = grasp.lanes[contact / lane_size];
@@ -274,24 +284,54 @@ Twist<2> cold_start<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
   return grasp.inverse * w;
 }
 
+namespace {
+
+enum class Rise { none, some, proof };
+
+/// Goes from y along d, of length 1, as far as a proof that nothing holds needs: `far` is it, if it
+/// is one.
 template <int Dim>
-bool maximise(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& start,
-              double force_cap, Point<Dim>& point) {
+Rise prove(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& y,
+           const Twist<Dim>& d, double force_cap, Point<Dim>& far) {
+  // Far out, but not so far that rounding in G^T d makes itself felt as a force.
+  evaluate<Dim>(grasp, w, 1e13 * d, far);
+  const double rise = far.residual.dot(d) - delta;
+  if (rise <= 0) return Rise::none;
+  evaluate<Dim>(grasp, w, y + 2 * force_cap * force_cap / rise * d, far);
+  return lower_bound(far) > force_cap * force_cap ? Rise::proof : Rise::some;
+}
+
+/// maximise() with a y of its own in the unholdable case: any that proves it. With rho > 0 it
+/// maximises value − ½ rho |y|² instead, whose y is bounded: (w − G f) / rho.
+template <int Dim>
+bool ascend(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& start,
+            double force_cap, double rho, Point<Dim>& point) {
   constexpr int rows = wrench_size<Dim>;
   const double unholdable = force_cap * force_cap;
+  const auto above_cap = [&] {
+    return 2 * point.value > unholdable && lower_bound(point) > unholdable;
+  };
   bool settled = false, unbounded = false;
-  evaluate(grasp, w, start, point);
+  const auto evaluate_at = [&](const Twist<Dim>& y) {
+    evaluate<Dim>(grasp, w, y, point);
+    if (rho == 0) return;
+    point.value -= rho / 2 * y.squaredNorm();
+    point.residual -= rho * y;
+    point.M.diagonal().array() += rho;
+  };
+  evaluate_at(start);
   // Where steps are cut short by changing faces, the step heeds the faces passed before, too: else
   // it zigzags between them near the limit of holding.
   Square<Dim> curvature = point.M;
   for (int step = 0; step < 100; ++step) {
     const double error = size<Dim>(point.residual);
+    if (above_cap()) return false;
     if (error <= 1e-13 && std::abs(point.y.dot(point.residual)) <= 1e-12 * std::abs(point.value))
       return true;
-    if (2 * point.value > unholdable && lower_bound(point) > unholdable) return false;
-    if ((settled || error <= delta / 2 + 1e-14 * length<Dim>(point.y)) &&
+    if (rho > 0 && error <= 1e-12 + 1e-14 * length<Dim>(point.y)) return true;
+    if (rho == 0 && (settled || error <= delta / 2 + 1e-14 * length<Dim>(point.y)) &&
         polish(grasp, w, 1e-13, point))
-      return true;
+      return !above_cap();
     if (unbounded && error <= delta) return true;
 
     Twist<Dim> dy = newton_step<rows>(curvature, point.residual);
@@ -304,7 +344,7 @@ bool maximise(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<D
     double least = 0, most = 1, a = 1, slope_there = 0;
     const Twist<Dim> y = point.y;
     for (int trial = 0; trial < 60; ++trial) {
-      evaluate<Dim>(grasp, w, y + a * dy, point);
+      evaluate_at(y + a * dy);
       slope_there = point.residual.dot(dy);
       if (trial == 0 && point.value - before >= 0.1 * slope) break;  // the full step will do
       // Else stop where the slope vanishes: it falls with a, piecewise linearly.
@@ -316,29 +356,62 @@ bool maximise(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<D
     const bool cut = a < 1;
     settled = !cut && std::abs(slope_there) <= 1e-6 * slope;
     // Still rising where every step is long: does it rise for ever?
-    if (stretch > reach && slope_there > 0.5 * slope) {
-      const Twist<Dim> d = dy / length<Dim>(dy);
+    if (rho == 0 && stretch > reach && slope_there > 0.5 * slope) {
       Point<Dim> far = point;
-      evaluate<Dim>(grasp, w, 1e13 * d, far);
-      const double rise = far.residual.dot(d) - delta;
-      unbounded = rise <= 0;
-      if (rise > 0) {
-        evaluate<Dim>(grasp, w, point.y + 2 * unholdable / rise * d, far);
-        if (lower_bound(far) > unholdable) {
-          point = far;
-          return false;
-        }
+      const Rise rise = prove<Dim>(grasp, w, point.y, dy / length<Dim>(dy), force_cap, far);
+      if (rise == Rise::proof) {
+        point = far;
+        return false;
       }
+      unbounded = rise == Rise::none;
     }
     curvature = cut ? Square<Dim>(point.M + 0.5 * curvature) : point.M;
   }
   // Within rounding of the limit of holding there is neither a proof nor a balance within delta:
   // what rounding of such large forces leaves is a balance.
-  return size<Dim>(point.residual) <= delta || polish(grasp, w, 1e-9, point);
+  return size<Dim>(point.residual) <= delta || (rho == 0 && polish(grasp, w, 1e-9, point));
+}
+
+}  // namespace
+
+namespace {
+
+/// Replaces a proof that nothing holds by the sharpest: the direction from what can be balanced to
+/// w. It is normal to the faces on which the nearest balance lies, and so the same for all loads
+/// near this one, up to the limit of holding.
+void sharpen(const ScaledGrasp<2>& grasp, const Wrench<2>& w, double force_cap, Point<2>& point) {
+  Point<2> nearest = point;
+  if (!ascend<2>(grasp, w, Twist<2>::Zero(), std::numeric_limits<double>::infinity(), 1e-6,
+                 nearest))
+    return;
+  Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
+  Wrench<2> beyond = w;
+  for (std::size_t i = 0; i < grasp.size; ++i) {
+    const Eigen::Matrix<double, 3, 2> G = columns(grasp, i);
+    const Face on = face(grasp, i, nearest.z(i));
+    M += G * on.P * G.transpose();
+    beyond -= G * on.f0;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(M);
+  Twist<2> d = Twist<2>::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (eigen.eigenvalues()[k] <= 1e-9 * M.trace())
+      d += eigen.eigenvectors().col(k).dot(beyond) * eigen.eigenvectors().col(k);
+  if (!(length<2>(d) > 0)) return;
+  d /= length<2>(d);
+  if (prove<2>(grasp, w, Twist<2>::Zero(), d, force_cap, nearest) == Rise::proof) point = nearest;
+}
+
+}  // namespace
+
+template <>
+bool maximise<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
+                 double force_cap, Point<2>& point) {
+  if (ascend<2>(grasp, w, start, force_cap, 0, point)) return true;
+  sharpen(grasp, w, force_cap, point);
+  return false;
 }
 
 template double lower_bound<2>(const Point<2>&);
-template bool maximise<2>(const ScaledGrasp<2>&, const Wrench<2>&, const Twist<2>&, double,
-                          Point<2>&);
 
 }  // namespace poise::dual

@@ -55,6 +55,8 @@ struct Face {
   bool at_lo, at_hi;  ///< at a limit of the normal force; the apex is edge and at_lo
   double sign;        ///< of the edge: t = sign mu n
 };
+/// The contact's columns of G, as the solver scales them.
+Eigen::Matrix<double, 3, 2> columns(const ScaledGrasp<2>& grasp, std::size_t contact);
 Face face(const ScaledGrasp<2>& grasp, std::size_t contact, const Vector<2>& z);
 
 /// Evaluates the dual function of load w at y.
@@ -71,7 +73,7 @@ template <int Dim>
 Twist<Dim> cold_start(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w);
 
 /// Maximises from y. True: point.f is the hold of least effort, point.y its proof. False: it cannot
-/// be held, lower_bound(point) > force_cap^2.
+/// be held, lower_bound(point) > force_cap^2, by the y that tells w best from what can be balanced.
 template <int Dim>
 bool maximise(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& y,
               double force_cap, Point<Dim>& point);

@@ -25,7 +25,7 @@ using Affine = Eigen::Matrix<double, Rows, 3>;
 /// g(theta) = a + b cos theta + c sin theta around a posture where it is not negative: how far it
 /// stays so on either side, as t = tan(turn / 2).
 struct Reach {
-  explicit Reach(double at) : cosine(std::cos(at)), sine(std::sin(at)) {}
+  explicit Reach(double theta) : at(theta), cosine(std::cos(theta)), sine(std::sin(theta)) {}
 
   /// Keeps to where g >= 0. What is nowhere negative but for rounding is no constraint.
   void keep(const Eigen::RowVector3d& g, double rounding) {
@@ -41,10 +41,15 @@ struct Reach {
       if (t <= 0) least = std::max(least, t);
     }
   }
-  double from(double at) const { return at + 2 * std::atan(least); }
-  double to(double at) const { return at + 2 * std::atan(most); }
+  /// Keeps to this side of a posture.
+  void stop(double angle) {
+    const double t = std::tan(std::remainder(angle - at, 2 * pi) / 2);
+    (t < 0 ? least : most) = t < 0 ? std::max(least, t) : std::min(most, t);
+  }
+  double from() const { return at + 2 * std::atan(least); }
+  double to() const { return at + 2 * std::atan(most); }
 
-  double cosine, sine;
+  double at, cosine, sine;
   double least{-std::numeric_limits<double>::infinity()};
   double most{std::numeric_limits<double>::infinity()};
 };
@@ -99,7 +104,7 @@ class Tracer {
     } else if (!arc_at(at, reach, arc)) {
       reach.least = reach.most = 0;
     }
-    const Interval piece{std::max(lo, reach.from(at)), std::min(hi, reach.to(at))};
+    const Interval piece{std::max(lo, reach.from()), std::min(hi, reach.to())};
     if (!holdable) {
       curve_.unholdable_arcs.push_back({piece.from, piece.to, about_origin(grasp_, point_.y)});
     } else if (piece.to > piece.from) {
@@ -123,7 +128,11 @@ class Tracer {
       const dual::Face face = dual::face(scaled_, i, point_.z(i));
       if (face.at_lo || face.at_hi) limits += point_.z(i).dot(point_.f(i)) / 1e3;
     }
-    reach.keep({ray ? -limits : bound / 2 - y.dot(w), y[1], y[0]}, 0);
+    const Eigen::RowVector3d g(ray ? -limits : bound / 2 - y.dot(w), y[1], y[0]);
+    reach.keep(g, 0);
+    // It may prove all postures but one.
+    const double size = std::hypot(g[1], g[2]);
+    if (std::abs(g[0] - size) <= 1e-9 * size) reach.stop(std::atan2(-g[2], -g[1]));
   }
 
   /// The arc around a posture, from the faces to which point_ projects. False where they do not
@@ -132,7 +141,7 @@ class Tracer {
     Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < scaled_.size; ++i) {
       faces_[i] = dual::face(scaled_, i, point_.z(i));
-      const Eigen::Matrix<double, 3, 2> G = columns(i);
+      const Eigen::Matrix<double, 3, 2> G = dual::columns(scaled_, i);
       M += G * faces_[i].P * G.transpose();
     }
     // A turn about the com that no contact feels has no say in the forces (2 x 2 is left of M).
@@ -157,13 +166,13 @@ class Tracer {
     double largest_force = 0;
     for (int round = 0; round < 3; ++round) {
       Affine<3> residual = w;
-      for (std::size_t i = 0; i < scaled_.size; ++i) residual -= columns(i) * F_[i];
+      for (std::size_t i = 0; i < scaled_.size; ++i) residual -= dual::columns(scaled_, i) * F_[i];
       if (free_turn) residual.row(2).setZero();
       const Affine<3> dY = scale.asDiagonal() * factor.solve(scale.asDiagonal() * residual);
       Y += dY;
       largest_force = 0;
       for (std::size_t i = 0; i < scaled_.size; ++i) {
-        F_[i] += faces_[i].P * (columns(i).transpose() * dY);
+        F_[i] += faces_[i].P * (dual::columns(scaled_, i).transpose() * dY);
         largest_force = std::max(largest_force, F_[i].cwiseAbs().maxCoeff());
       }
     }
@@ -207,7 +216,7 @@ class Tracer {
     const bool free = !face.at_lo && !face.at_hi;
     using Row = Eigen::RowVector3d;
     const Row one(1, 0, 0);
-    const Affine<2> Z = columns(i).transpose() * Y;
+    const Affine<2> Z = dual::columns(scaled_, i).transpose() * Y;
     const Row n = F_[i].row(0), t = F_[i].row(1), zn = Z.row(0), side = face.sign * Z.row(1);
     const Row along = face.edge ? Row((zn + mu * side) * c.edge[k]) : zn;
     if (face.edge && face.at_lo && lo == 0) {  // the apex
@@ -270,20 +279,7 @@ class Tracer {
     if (most <= cap * cap) return;
     Harmonic2 below = V;
     below.c0 -= cap * cap;
-    for (const double end : sign_changes(below, at - pi, at + pi)) {
-      const double t = std::tan((end - at) / 2);
-      (t < 0 ? reach.least : reach.most) =
-          t < 0 ? std::max(reach.least, t) : std::min(reach.most, t);
-    }
-  }
-
-  Eigen::Matrix<double, 3, 2> columns(std::size_t i) const {
-    const ContactLane<2>& c = scaled_.lanes[i / lane_size];
-    const std::size_t k = i % lane_size;
-    Eigen::Matrix<double, 3, 2> G;
-    G << c.nx[k], -c.ny[k], c.ny[k], c.nx[k], c.nx[k] * c.jx[k] + c.ny[k] * c.jy[k],
-        c.nx[k] * c.jy[k] - c.ny[k] * c.jx[k];
-    return G;
+    for (const double end : sign_changes(below, at - pi, at + pi)) reach.stop(end);
   }
 
   void add(Arc& arc) {
