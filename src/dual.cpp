@@ -13,15 +13,14 @@ using Mask = long long __attribute__((vector_size(16)));
 Lane lanes(double x) { return Lane{x, x}; }
 double sum(Lane x) { return x[0] + x[1]; }
 
-/// Projects every contact's z and adds up, without a branch. Two contacts a turn; docs/theory.md
-/// has the three cases of the projection.
+/// Projects every contact's z and adds up, without a branch. docs/theory.md has the three cases of
+/// the projection.
 template <bool limited>
 void evaluate_plane(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist<2>& y,
                     Point<2>& point) {
-  const Lane zero = lanes(0), one = lanes(1);
+  const Lane zero{};
   const Lane vx = lanes(y[0]), vy = lanes(y[1]), omega = lanes(y[2]);
   Lane fx{}, fy{}, fm{}, phi{};
-  Lane Mxx{}, Mxy{}, Myy{}, Mxm{}, Mym{}, Mmm{};
   for (std::size_t p = 0; p < grasp.lanes.size(); ++p) {
     const ContactLane<2>& c = grasp.lanes[p];
     const Lane ux = vx + omega * c.jx, uy = vy + omega * c.jy;
@@ -29,31 +28,45 @@ void evaluate_plane(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist
     const Lane mu = zt < zero ? -c.mu : c.mu;  // t = mu n is the edge on z's side
     const Lane beside = zt < zero ? -zt : zt;
     const Lane along = (zn + mu * zt) * c.edge;  // normal force of z's projection to the edge
-    Lane n, t, free;                             // free: 1 where the normal force may change
+    Lane n;
     Mask inside;
     if constexpr (limited) {
       inside = beside < c.mu * (zn < c.lo ? c.lo : zn > c.hi ? c.hi : zn);
       n = inside ? zn : along;
-      free = (n > c.lo) & (n < c.hi) ? one : zero;
       n = n < c.lo ? c.lo : n > c.hi ? c.hi : n;
     } else {
       inside = beside < c.mu * zn;
       n = inside ? zn : along;
-      free = n > zero ? one : zero;
       n = n > zero ? n : zero;
     }
-    t = inside ? zt : mu * n;
+    const Lane t = inside ? zt : mu * n;
     point.lanes[p] = {{zn, zt}, {n, t}};
     const Lane gx = n * c.nx - t * c.ny, gy = n * c.ny + t * c.nx;
     fx += gx;
     fy += gy;
     fm += gx * c.jx + gy * c.jy;
     phi += n * (zn - 0.5 * n) + t * (zt - 0.5 * t);
-    // DΠ as a 2 x 2 matrix on forces along x and y.
-    const Lane ex = c.nx - mu * c.ny, ey = c.ny + mu * c.nx, e = c.edge * free;
+  }
+  point.y = y;
+  point.residual = w - Wrench<2>(sum(fx), sum(fy), sum(fm));
+  point.value = y.dot(w) - sum(phi);
+}
+
+template <bool limited>
+Eigen::Matrix3d curvature_plane(const ScaledGrasp<2>& grasp, const Point<2>& point) {
+  const Lane zero{}, one = lanes(1);
+  Lane Mxx{}, Mxy{}, Myy{}, Mxm{}, Mym{}, Mmm{};
+  for (std::size_t p = 0; p < grasp.lanes.size(); ++p) {
+    const ContactLane<2>& c = grasp.lanes[p];
+    const Lane zt = point.lanes[p].z[1], n = point.lanes[p].f[0];
+    const Lane mu = zt < zero ? -c.mu : c.mu;
+    const Mask inside = (zt < zero ? -zt : zt) < c.mu * n;
+    const Mask free = limited ? (n > c.lo) & (n < c.hi) : n > zero;
+    // DΠ as a 2 x 2 matrix on forces along x and y: 1 inside, the edge's direction on the edge.
+    const Lane ex = c.nx - mu * c.ny, ey = c.ny + mu * c.nx, e = free ? c.edge : zero;
     Lane Pxx = e * ex * ex, Pxy = e * ex * ey, Pyy = e * ey * ey;
     if constexpr (limited) {
-      const Lane held = one - free;
+      const Lane held = free ? zero : one;
       Pxx = inside ? c.share - held * c.nx * c.nx : Pxx;
       Pxy = inside ? -held * c.nx * c.ny : Pxy;
       Pyy = inside ? c.share - held * c.ny * c.ny : Pyy;
@@ -70,15 +83,14 @@ void evaluate_plane(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist
     Mym += qy;
     Mmm += qx * c.jx + qy * c.jy;
   }
-  point.y = y;
-  point.residual = w - Wrench<2>(sum(fx), sum(fy), sum(fm));
-  point.value = y.dot(w) - sum(phi);
-  point.M(0, 0) = sum(Mxx);
-  point.M(0, 1) = sum(Mxy);
-  point.M(1, 1) = sum(Myy);
-  point.M(0, 2) = sum(Mxm);
-  point.M(1, 2) = sum(Mym);
-  point.M(2, 2) = sum(Mmm);
+  Eigen::Matrix3d M;
+  M << sum(Mxx), sum(Mxy), sum(Mxm), 0, sum(Myy), sum(Mym), 0, 0, sum(Mmm);
+  return M;
+}
+
+/// G DΠ_K Gᵀ, upper triangle: minus the generalised Hessian of the dual function.
+Eigen::Matrix3d curvature(const ScaledGrasp<2>& grasp, const Point<2>& point) {
+  return grasp.limited ? curvature_plane<true>(grasp, point) : curvature_plane<false>(grasp, point);
 }
 
 }  // namespace
@@ -94,31 +106,26 @@ void evaluate<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist<2>
 
 namespace {
 
-/// x = M⁻¹ r for positive semidefinite M (upper triangle). Directions in which M vanishes get very
-/// long steps instead of none.
-template <int N>
-Eigen::Matrix<double, N, 1> newton_step(const Eigen::Matrix<double, N, N>& M,
-                                        const Eigen::Matrix<double, N, 1>& r) {
-  const double least = 1e-15 * M.trace() + 1e-30;
-  double U[N][N], inverse[N], x[N];  // M = Uᵀ D U
-  for (int i = 0; i < N; ++i) {
-    double pivot = M(i, i);
-    for (int k = 0; k < i; ++k) pivot -= U[k][i] * U[k][i] * inverse[k];
-    inverse[i] = 1 / std::max(pivot, least);
-    x[i] = r[i];
-    for (int k = 0; k < i; ++k) x[i] -= U[k][i] * inverse[k] * x[k];
-    for (int j = i + 1; j < N; ++j) {
-      U[i][j] = M(i, j);
-      for (int k = 0; k < i; ++k) U[i][j] -= U[k][i] * inverse[k] * U[k][j];
-    }
-  }
-  Eigen::Matrix<double, N, 1> step;
-  for (int i = N - 1; i >= 0; --i) {
-    step[i] = x[i];
-    for (int j = i + 1; j < N; ++j) step[i] -= U[i][j] * step[j];
-    step[i] *= inverse[i];
-  }
-  return step;
+/// x = M⁻¹ r for positive semidefinite M (upper triangle), by M = UᵀDU without divisions on the
+/// way. Directions in which M vanishes get very long steps instead of none.
+Twist<2> newton_step(const Eigen::Matrix3d& M, const Wrench<2>& r) {
+  const double least = 1e-15 * (M(0, 0) + M(1, 1) + M(2, 2)) + 1e-30;
+  const double a = std::max(M(0, 0), least);
+  const double b = std::max(a * M(1, 1) - M(0, 1) * M(0, 1), least * a);
+  const double c = a * M(1, 2) - M(0, 1) * M(0, 2);
+  const double d = std::max(b * (a * M(2, 2) - M(0, 2) * M(0, 2)) - c * c, least * a * b);
+  const double ra = 1 / a, rb = 1 / b, rd = 1 / d;
+  const double r1 = a * r[1] - M(0, 1) * r[0], r2 = b * (a * r[2] - M(0, 2) * r[0]) - c * r1;
+  Twist<2> x;
+  x[2] = r2 * rd;
+  x[1] = (r1 - c * x[2]) * rb;
+  x[0] = (r[0] - M(0, 1) * x[1] - M(0, 2) * x[2]) * ra;
+  return x;
+}
+
+double quadratic(const Eigen::Matrix3d& M, const Twist<2>& x) {
+  return x[0] * (M(0, 0) * x[0] + 2 * (M(0, 1) * x[1] + M(0, 2) * x[2])) +
+         x[1] * (M(1, 1) * x[1] + 2 * M(1, 2) * x[2]) + M(2, 2) * x[2] * x[2];
 }
 
 /// The larger of the force and the moment of a scaled wrench.
@@ -133,6 +140,12 @@ double length(const Twist<Dim>& y) {
   return y.template head<Dim>().norm() + y.template tail<wrench_size<Dim> - Dim>().norm();
 }
 
+/// A length for comparisons.
+template <int Dim>
+double span(const Eigen::Matrix<double, Dim, 1>& y) {
+  return y.cwiseAbs().sum();
+}
+
 template <int Dim>
 double squared_norm(const Point<Dim>& point) {
   Lane sum_{};
@@ -145,9 +158,10 @@ double squared_norm(const Point<Dim>& point) {
 /// on the faces where z is, they are corrected until they balance. False if they leave their faces.
 bool polish(const ScaledGrasp<2>& grasp, const Wrench<2>& w, double tolerance, Point<2>& point) {
   Point<2> trial = point;
+  const Eigen::Matrix3d M = curvature(grasp, point);
   const double scale = std::sqrt(squared_norm(point)) + 1;
   for (int round = 0; round < 4; ++round) {
-    const Twist<2> dy = newton_step<3>(trial.M, trial.residual);
+    const Twist<2> dy = newton_step(M, trial.residual);
     trial.y += dy;
     Wrench<2> balance = w;
     for (std::size_t i = 0; i < grasp.size; ++i) {
@@ -225,62 +239,47 @@ double lower_bound(const Point<Dim>& point) {
 namespace {
 
 /// Two planar contacts have one internal force alpha f_N, along the line between them. Clamped to
-/// the cones from 0 (the paper's equation (12) with alpha-bar), it gives the forces; y follows from
-/// the constraint it stops at.
+/// the cones from 0 (the paper's alpha-bar), it gives the forces; y follows from the edge at which
+/// it stops.
 Twist<2> cold_start_two(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
   const Twist<2> y = grasp.inverse * w;
   const ContactLane<2>& c = grasp.lanes[0];
-  Vector<2> line(c.jy[1] - c.jy[0], c.jx[0] - c.jx[1]);  // from contact 0 to contact 1
+  // Forces of the two contacts without internal force, and the internal force.
+  const Lane ux = y[0] + y[2] * c.jx, uy = y[1] + y[2] * c.jy;
+  const Lane n = c.nx * ux + c.ny * uy, t = c.nx * uy - c.ny * ux;
+  const double x = c.jy[1] - c.jy[0], z = c.jx[0] - c.jx[1];  // from contact 0 to contact 1
+  const Lane dx = Lane{x, -x} / c.share, dz = Lane{z, -z} / c.share;
+  const Lane dn = c.nx * dx + c.ny * dz, dt = c.nx * dz - c.ny * dx;
+  // mu n -+ t >= 0 of both contacts: alpha >= -value / rate where the rate is positive, <=
+  // elsewhere.
+  const Lane rates[2] = {c.mu * dn - dt, c.mu * dn + dt};
+  const Lane alphas[2] = {(t - c.mu * n) / rates[0], (-t - c.mu * n) / rates[1]};
   double least = -std::numeric_limits<double>::infinity(), greatest = -least;
-  double stop_least = 0, stop_greatest = 0;  // rates of the constraints at which alpha stops
-  Vector<2> at_least(0, 0), at_greatest(0, 0);
-  int i_least = 0, i_greatest = 0;
-  double norm = 0;
-  for (int i = 0; i < 2; ++i) {
-    const double sign = i == 0 ? 1 : -1, share = c.share[i];
-    const double ux = y[0] + y[2] * c.jx[i], uy = y[1] + y[2] * c.jy[i];
-    const double n = c.nx[i] * ux + c.ny[i] * uy, t = c.nx[i] * uy - c.ny[i] * ux;
-    const double dn = sign * (c.nx[i] * line.x() + c.ny[i] * line.y()) / share;
-    const double dt = sign * (c.nx[i] * line.y() - c.ny[i] * line.x()) / share;
-    norm += dn * dn + dt * dt;
-    const auto constrain = [&](double value, double rate, double an, double at) {
-      if (rate == 0) return;
-      const double alpha = -value / rate;
-      if (rate > 0 && alpha > least) {
-        least = alpha;
-        stop_least = rate;
-        at_least = {an, at};
-        i_least = i;
-      } else if (rate < 0 && alpha < greatest) {
-        greatest = alpha;
-        stop_greatest = rate;
-        at_greatest = {an, at};
-        i_greatest = i;
-      }
-    };
-    constrain(c.mu[i] * n - t, c.mu[i] * dn - dt, c.mu[i], -1);
-    constrain(c.mu[i] * n + t, c.mu[i] * dn + dt, c.mu[i], 1);
-    if (grasp.limited) {
-      constrain(n - c.lo[i], dn, 1, 0);
-      constrain(c.hi[i] - n, -dn, -1, 0);
-    }
+  int at_least = 0, at_greatest = 0;
+  for (int k = 0; k < 4; ++k) {
+    const double alpha = alphas[k / 2][k % 2], rate = rates[k / 2][k % 2];
+    const bool above = rate > 0 && alpha > least, below = rate < 0 && alpha < greatest;
+    least = above ? alpha : least;
+    at_least = above ? k : at_least;
+    greatest = below ? alpha : greatest;
+    at_greatest = below ? k : at_greatest;
   }
-  const bool press = least > 0;
-  if (!(least <= greatest) || (!press && !(greatest < 0))) return y;
-  const double lambda = press ? least * norm / stop_least : greatest * norm / stop_greatest;
-  const int i = press ? i_least : i_greatest;
-  const Vector<2> a = press ? at_least : at_greatest;
-  const double gx = a[0] * c.nx[i] - a[1] * c.ny[i], gy = a[0] * c.ny[i] + a[1] * c.nx[i];
-  const Twist<2> clamped =
-      y - grasp.inverse * (lambda * Wrench<2>(gx, gy, gx * c.jx[i] + gy * c.jy[i]));
-  return length<2>(clamped) < 1e7 ? clamped : y;  // contacts at one point have no line between them
+  const double alpha = std::min(std::max(0.0, least), greatest);
+  if (alpha == 0 || !(least <= greatest)) return y;
+  const int k = alpha > 0 ? at_least : at_greatest, i = k % 2;
+  const double lambda = alpha * sum(dn * dn + dt * dt) / rates[k / 2][i];
+  const double an = lambda * c.mu[i], at = k < 2 ? -lambda : lambda;
+  const double gx = an * c.nx[i] - at * c.ny[i], gy = an * c.ny[i] + at * c.nx[i];
+  const Twist<2> clamped = y - grasp.inverse * Wrench<2>(gx, gy, gx * c.jx[i] + gy * c.jy[i]);
+  // Contacts at one point have no line between them.
+  return clamped.cwiseAbs().maxCoeff() < 1e7 ? clamped : y;
 }
 
 }  // namespace
 
 template <>
 Twist<2> cold_start<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
-  if (grasp.size == 2) return cold_start_two(grasp, w);
+  if (grasp.size == 2 && !grasp.limited) return cold_start_two(grasp, w);
   return grasp.inverse * w;
 }
 
@@ -306,39 +305,44 @@ Rise prove(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>
 template <int Dim>
 bool ascend(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& start,
             double force_cap, double rho, Point<Dim>& point) {
-  constexpr int rows = wrench_size<Dim>;
   const double unholdable = force_cap * force_cap;
   const auto above_cap = [&] {
     return 2 * point.value > unholdable && lower_bound(point) > unholdable;
   };
   bool settled = false, unbounded = false;
+  int cuts = 0;  // steps in a row that changing faces cut short
   const auto evaluate_at = [&](const Twist<Dim>& y) {
     evaluate<Dim>(grasp, w, y, point);
     if (rho == 0) return;
     point.value -= rho / 2 * y.squaredNorm();
     point.residual -= rho * y;
-    point.M.diagonal().array() += rho;
+  };
+  const auto curvature_here = [&] {
+    Square<Dim> M = curvature(grasp, point);
+    if (rho > 0) M.diagonal().array() += rho;
+    return M;
   };
   evaluate_at(start);
-  // Where steps are cut short by changing faces, the step heeds the faces passed before, too: else
+  // Where steps are cut short again and again, the next heeds the faces passed before: else
   // it zigzags between them near the limit of holding.
-  Square<Dim> curvature = point.M;
+  Square<Dim> M;
   for (int step = 0; step < 100; ++step) {
-    const double error = size<Dim>(point.residual);
+    const double error = point.residual.cwiseAbs().maxCoeff();
     if (above_cap()) return false;
     if (error <= 1e-13 && std::abs(point.y.dot(point.residual)) <= 1e-12 * std::abs(point.value))
       return true;
-    if (rho > 0 && error <= 1e-12 + 1e-14 * length<Dim>(point.y)) return true;
-    if (rho == 0 && (settled || error <= delta / 2 + 1e-14 * length<Dim>(point.y)) &&
+    if (rho > 0 && error <= 1e-12 + 1e-14 * span(point.y)) return true;
+    if (rho == 0 && (settled || error <= delta / 2 + 1e-14 * span(point.y)) &&
         polish(grasp, w, 1e-13, point))
       return !above_cap();
     if (unbounded && error <= delta) return true;
 
-    Twist<Dim> dy = newton_step<rows>(curvature, point.residual);
-    const double reach = 100 * (1 + length<Dim>(point.y)), stretch = length<Dim>(dy);
+    M = cuts > 1 ? Square<Dim>(curvature_here() + 0.5 * M) : curvature_here();
+    Twist<Dim> dy = newton_step(M, point.residual);
+    const double reach = (step < 4 ? 3 : 100) * (1 + span(point.y)), stretch = span(dy);
     if (stretch > reach) {
-      curvature.diagonal().array() += point.residual.norm() / reach;
-      dy = newton_step<rows>(curvature, point.residual);
+      M.diagonal().array() += point.residual.norm() / reach;
+      dy = newton_step(M, point.residual);
     }
     const double before = point.value, slope = point.residual.dot(dy);
     double least = 0, most = 1, a = 1, slope_there = 0;
@@ -350,7 +354,7 @@ bool ascend(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim
       // Else stop where the slope vanishes: it falls with a, piecewise linearly.
       if (std::abs(slope_there) <= 1e-9 * slope || most - least <= 1e-15 * most) break;
       (slope_there > 0 ? least : most) = a;
-      a += slope_there / dy.dot(point.M.template selfadjointView<Eigen::Upper>() * dy);
+      a += slope_there / quadratic(curvature_here(), dy);
       if (!(a > least && a < most)) a = (least + most) / 2;
     }
     const bool cut = a < 1;
@@ -365,7 +369,7 @@ bool ascend(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim
       }
       unbounded = rise == Rise::none;
     }
-    curvature = cut ? Square<Dim>(point.M + 0.5 * curvature) : point.M;
+    cuts = cut ? cuts + 1 : 0;
   }
   // Within rounding of the limit of holding there is neither a proof nor a balance within delta:
   // what rounding of such large forces leaves is a balance.

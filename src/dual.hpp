@@ -35,7 +35,6 @@ struct Point {
   SmallVector<LaneForces<Dim>, 16 / lane_size> lanes;
   double value;          ///< yᵀw − φ(Gᵀy): half a lower bound on the effort
   Wrench<Dim> residual;  ///< w − G f: the gradient
-  Square<Dim> M;         ///< G DΠ_K Gᵀ: minus the generalised Hessian, upper triangle
 
  private:
   static Vector<Dim> at(std::size_t i, const Lane (&lane)[Dim]) {

@@ -17,7 +17,7 @@ constexpr double at_limit = 1e-9;  // of the weight, and of the friction
 Wrench<2> scaled_load(const Grasp<2>& grasp, const Wrench<2>& load) {
   const Vector<2>& com = grasp.object().com;
   const double moment = load[2] - (com.x() * load[1] - com.y() * load[0]);
-  return Wrench<2>(load[0], load[1], moment / grasp.scaled().length) / grasp.object().weight;
+  return Wrench<2>(load[0], load[1], moment / grasp.scaled().length) * grasp.scaled().per_weight;
 }
 
 /// z of a contact: its velocity, in the contact frame, by a twist about the com.
@@ -41,23 +41,26 @@ void check(const HoldSettings& settings) {
     throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
 }
 
-ContactForce<2> contact_force(const Grasp<2>& grasp, std::size_t i, const Vector<2>& scaled) {
-  const Contact<2>& contact = grasp.contacts()[i];
-  const double weight = grasp.object().weight, root = std::sqrt(contact.share) * weight;
-  ContactForce<2> force{scaled[0] * root, scaled[1] * root, 0, ContactState::unloaded,
-                        ForceLimit::none};
-  const double near = at_limit * weight;
-  if (force.normal > near) {
-    const double most = contact.friction * force.normal;
-    force.friction_used = most > 0 ? std::min(1.0, std::abs(force.tangential) / most) : 1;
-    force.state =
-        force.friction_used >= 1 - at_limit ? ContactState::slipping : ContactState::sticking;
-  }
-  if (force.normal >= contact.max_normal - near)
-    force.limit = ForceLimit::max;
-  else if (contact.min_normal > 0 && force.normal <= contact.min_normal + near)
-    force.limit = ForceLimit::min;
+/// A contact's force in newtons, from the solver's units. Selects instead of branches: which
+/// contacts are loaded is hard to foresee.
+ContactForce<2> contact_force(const Contact<2>& contact, const Vector<2>& scaled, double unit,
+                              double near) {
+  ContactForce<2> force;
+  force.normal = scaled[0] * unit;
+  force.tangential = scaled[1] * unit;
+  const bool loaded = force.normal > near;
+  const double most = contact.friction * force.normal;
+  const double used = most > 0 ? std::min(1.0, std::abs(force.tangential) / most) : 1;
+  force.friction_used = loaded ? used : 0;
+  force.state = static_cast<ContactState>(loaded ? 1 + (used >= 1 - at_limit) : 0);
+  force.limit = ForceLimit::none;
   return force;
+}
+
+ForceLimit limit_of(const Contact<2>& contact, double normal, double near) {
+  if (normal >= contact.max_normal - near) return ForceLimit::max;
+  return contact.min_normal > 0 && normal <= contact.min_normal + near ? ForceLimit::min
+                                                                       : ForceLimit::none;
 }
 
 Hold<2> solve(const Grasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
@@ -74,14 +77,17 @@ Hold<2> solve(const Grasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
     return hold;
   }
   hold.lower_bound = square * 2 * point.value;
-  hold.residual = std::max(std::hypot(point.residual[0], point.residual[1]),
+  hold.residual = std::max(point.residual.head<2>().norm(),
                            grasp.radius() > 0 ? std::abs(point.residual[2]) : 0);
-  hold.forces = SmallVector<ContactForce<2>, 16>(scaled.size);
+  hold.forces.resize(scaled.size);
+  const double near = at_limit * weight;
   double effort = 0;
   for (std::size_t i = 0; i < scaled.size; ++i) {
     const Vector<2> f = point.f(i);
     effort += f.squaredNorm();
-    hold.forces[i] = contact_force(grasp, i, f);
+    const Contact<2>& contact = grasp.contacts()[i];
+    hold.forces[i] = contact_force(contact, f, scaled.unit[i], near);
+    if (scaled.limited) hold.forces[i].limit = limit_of(contact, hold.forces[i].normal, near);
   }
   hold.effort = square * effort;
   return hold;

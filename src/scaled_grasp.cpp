@@ -9,6 +9,7 @@ template <>
 ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
     : size(grasp.contacts().size()),
       length(grasp.radius() > 0 ? grasp.radius() : 1),
+      per_weight(1 / grasp.object().weight),
       limited(false),
       lanes((size + lane_size - 1) / lane_size, ContactLane<2>{}) {
   Eigen::Matrix3d GGt = Eigen::Matrix3d::Zero();
@@ -23,6 +24,7 @@ ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
     lane.jx[k] = -r.y();
     lane.jy[k] = r.x();
     lane.share[k] = contact.share;
+    unit.push_back(weight * root);
     lane.mu[k] = contact.friction;
     lane.edge[k] = 1 / (1 + contact.friction * contact.friction);
     lane.lo[k] = contact.min_normal / weight / root;

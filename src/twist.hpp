@@ -16,8 +16,8 @@ inline Twist<2> about_origin(const Grasp<2>& grasp, const Twist<2>& scaled) {
 /// The inverse of about_origin.
 inline Twist<2> about_com(const Grasp<2>& grasp, const Twist<2>& y) {
   const Vector<2>& com = grasp.object().com;
-  return Twist<2>(y[0] - y[2] * com.y(), y[1] + y[2] * com.x(), y[2] * grasp.scaled().length) /
-         grasp.object().weight;
+  return Twist<2>(y[0] - y[2] * com.y(), y[1] + y[2] * com.x(), y[2] * grasp.scaled().length) *
+         grasp.scaled().per_weight;
 }
 
 }  // namespace poise

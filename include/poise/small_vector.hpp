@@ -9,16 +9,14 @@
 
 namespace poise {
 
-/// A fixed number of plain elements, chosen when it is made; they start unset.
+/// As many plain elements as asked for; they start unset.
 template <class T, std::size_t N>
 class SmallVector {
   static_assert(std::is_trivially_destructible_v<T>);
 
  public:
   SmallVector() : size_(0) {}
-  explicit SmallVector(std::size_t size) : size_(size) {
-    if (size > N) large_.resize(size);
-  }
+  explicit SmallVector(std::size_t size) { resize(size); }
   SmallVector(const SmallVector& other) : size_(other.size_), large_(other.large_) { copy(other); }
   SmallVector(SmallVector&& other) noexcept : size_(other.size_), large_(std::move(other.large_)) {
     copy(other);
@@ -37,6 +35,11 @@ class SmallVector {
   }
   ~SmallVector() = default;
 
+  /// The elements start unset again.
+  void resize(std::size_t size) {
+    size_ = size;
+    if (size > N) large_.resize(size);
+  }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   T* data() { return size_ > N ? large_.data() : small_.data(); }
