@@ -56,6 +56,7 @@ PlanarPosture posture_at(const Grasp<2>& grasp, const Optimum& optimum,
   posture.optimum = optimum;
   const Vector<2> up = up_at(optimum.angle);
   posture.hold = hold(grasp, up, {settings.force_cap});
+  if (posture.hold.holdable) posture.optimum.effort = posture.hold.effort;
   posture.manner = manner(grasp, up, posture.hold);
   std::vector<std::size_t> loaded;
   bool slipping = true;

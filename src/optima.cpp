@@ -18,24 +18,26 @@ struct Segment {
 };
 
 double scale(const Harmonic2& V) {
-  return std::abs(V.c0) + std::hypot(V.cos1, V.sin1) + std::hypot(V.cos2, V.sin2);
+  return std::abs(V.c0) + std::abs(V.cos1) + std::abs(V.sin1) + std::abs(V.cos2) + std::abs(V.sin2);
 }
 
 /// Splits an arc, moved by `turn`, where its slope changes sign.
 void split(const Arc& arc, double turn, std::vector<Segment>& segments) {
   constexpr double near = 1e-9;  // an optimum this close to an end of the arc is at the end
-  std::vector<double> ends{arc.from};
-  for (const double at : sign_changes(derivative(arc.V), arc.from, arc.to))
-    if (at - arc.from > near && arc.to - at > near) ends.push_back(at);
-  ends.push_back(arc.to);
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    const double slope = arc.V.slope((ends[i - 1] + ends[i]) / 2);
+  double from = arc.from;
+  const auto add_until = [&](double to) {
+    const double slope = arc.V.slope((from + to) / 2);
     const int trend = std::abs(slope) <= 1e-11 * scale(arc.V) ? 0 : slope > 0 ? 1 : -1;
-    segments.push_back({ends[i - 1] + turn, ends[i] + turn, trend, &arc.V});
-  }
+    segments.push_back({from + turn, to + turn, trend, &arc.V});
+    from = to;
+  };
+  for (const double at : sign_changes(derivative(arc.V), arc.from, arc.to))
+    if (at - arc.from > near && arc.to - at > near) add_until(at);
+  add_until(arc.to);
 }
 
 double wrapped(double angle) {
+  if (angle > -pi && angle <= pi) return angle;
   const double a = std::remainder(angle, 2 * pi);
   return a <= -pi ? pi : a;
 }
@@ -101,6 +103,7 @@ std::vector<Optimum> optima(const PostureCurve& curve) {
   for (const Interval& interval : curve.holdable) {
     const bool circle = interval.to - interval.from >= 2 * pi;
     std::vector<Segment> segments;
+    segments.reserve(2 * curve.arcs.size() + 4);
     for (const double turn : {0.0, 2 * pi})
       for (const Arc& arc : curve.arcs) {
         const bool inside = arc.from + turn >= interval.from && arc.to + turn <= interval.to;
@@ -123,7 +126,7 @@ std::vector<Optimum> optima(const PostureCurve& curve) {
     }
     find(segments, circle, found);
   }
-  std::stable_sort(found.begin(), found.end(), better);
+  std::sort(found.begin(), found.end(), better);
   return found;
 }
 

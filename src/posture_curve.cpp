@@ -1,6 +1,6 @@
 #include "poise/posture_curve.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
@@ -29,7 +29,8 @@ struct Reach {
 
   /// Keeps to where g >= 0. What is nowhere negative but for rounding is no constraint.
   void keep(const Eigen::RowVector3d& g, double rounding) {
-    if (g[0] + rounding >= std::hypot(g[1], g[2])) return;
+    const double least_g = g[0] + rounding;
+    if (least_g >= 0 && least_g * least_g >= g[1] * g[1] + g[2] * g[2]) return;
     const double along = g[1] * cosine + g[2] * sine, half = g[2] * cosine - g[1] * sine;
     const double here = std::max(g[0] + along, 0.0), far = g[0] - along;
     // here + 2 half t + far t^2 = 0
@@ -61,6 +62,9 @@ class Tracer {
     curve_.domain = domain_interval(grasp, settings.domain);
     faces_.resize(scaled_.size);
     F_.resize(scaled_.size);
+    curve_.arcs.reserve(8);
+    curve_.states.reserve(8 * scaled_.size);
+    for (std::size_t i = 0; i < scaled_.size; ++i) columns_.push_back(dual::columns(scaled_, i));
   }
 
   PostureCurve trace() {
@@ -79,7 +83,9 @@ class Tracer {
   /// Fills an interval with pieces. Each covers the posture at which it is asked for, so that they
   /// end; the posture is off the middle, since symmetric grasps have their kinks there.
   void cover(double from, double to) {
-    std::vector<Interval> open{{from, to}};
+    std::vector<Interval> open;
+    open.reserve(16);
+    open.push_back({from, to});
     while (!open.empty()) {
       const auto [lo, hi] = open.back();
       open.pop_back();
@@ -94,8 +100,8 @@ class Tracer {
 
   /// Adds the arc or unholdable arc around a posture, as far as it goes within lo, hi.
   Interval piece_at(double at, double lo, double hi) {
-    const Wrench<2> w(std::sin(at), std::cos(at), 0);
     Reach reach(at);
+    const Wrench<2> w(reach.sine, reach.cosine, 0);
     const bool holdable =
         dual::maximise<2>(scaled_, w, dual::cold_start<2>(scaled_, w), cap_, point_);
     Arc arc;
@@ -117,16 +123,18 @@ class Tracer {
 
   /// Around a posture where point_.y proves that nothing holds: where else it does.
   void unholdable_reach(const Wrench<2>& w, Reach& reach) {
-    const Twist<2> y = point_.y;
+    Twist<2> y = point_.y;
     const double value = point_.value, bound = dual::lower_bound(point_) - cap_ * cap_;
     // A y that proves more the longer it is, proves it up to where gravity no longer drives it.
-    dual::evaluate<2>(scaled_, w, 1e3 * y, point_);
-    const bool ray = point_.value > 100 * value;
-    point_.y = y;
+    constexpr double longer = 1e8;
+    dual::evaluate<2>(scaled_, w, longer * y, point_);
+    const bool ray = point_.value > 0.5 * longer * value;
+    if (ray) y *= longer;
+    dual::evaluate<2>(scaled_, w, y, point_);
     double limits = 0;  // what contacts at their limits add to phi; of a ray the rest is rounding
     for (std::size_t i = 0; i < scaled_.size; ++i) {
       const dual::Face face = dual::face(scaled_, i, point_.z(i));
-      if (face.at_lo || face.at_hi) limits += point_.z(i).dot(point_.f(i)) / 1e3;
+      if (face.at_lo || face.at_hi) limits += point_.z(i).dot(point_.f(i));
     }
     const Eigen::RowVector3d g(ray ? -limits : bound / 2 - y.dot(w), y[1], y[0]);
     reach.keep(g, 0);
@@ -141,8 +149,7 @@ class Tracer {
     Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < scaled_.size; ++i) {
       faces_[i] = dual::face(scaled_, i, point_.z(i));
-      const Eigen::Matrix<double, 3, 2> G = dual::columns(scaled_, i);
-      M += G * faces_[i].P * G.transpose();
+      M += columns_[i] * faces_[i].P * columns_[i].transpose();
     }
     // A turn about the com that no contact feels has no say in the forces (2 x 2 is left of M).
     const bool free_turn = M(2, 2) <= 1e-26 * M.trace();
@@ -153,26 +160,30 @@ class Tracer {
     }
     const Eigen::Vector3d scale = M.diagonal().cwiseSqrt().cwiseInverse();
     if (!scale.allFinite()) return false;
-    const Eigen::LDLT<Eigen::Matrix3d> factor(scale.asDiagonal() * M * scale.asDiagonal());
-    if (!(factor.vectorD().minCoeff() > 1e-14)) return false;
+    const Eigen::Matrix3d scaled = scale.asDiagonal() * M * scale.asDiagonal();
+    const double pivot = 1 - scaled(0, 1) * scaled(0, 1);
+    if (!(pivot > 1e-14) || !(scaled.determinant() > 1e-14 * pivot)) return false;
+    const Eigen::Matrix3d inverse = scale.asDiagonal() * scaled.inverse() * scale.asDiagonal();
 
     // y and the forces, refined in the forces: see dual.cpp, polish.
-    Affine<3> w, Y = Affine<3>::Zero();
-    w << 0, 0, 1, 0, 1, 0, 0, 0, 0;
+    Affine<3> Y = Affine<3>::Zero(), residual;
+    residual << 0, 0, 1, 0, 1, 0, 0, 0, 0;  // w
     for (std::size_t i = 0; i < scaled_.size; ++i) {
       F_[i].setZero();
       F_[i].col(0) = faces_[i].f0;
+      residual.col(0) -= columns_[i] * faces_[i].f0;
     }
-    double largest_force = 0;
-    for (int round = 0; round < 3; ++round) {
-      Affine<3> residual = w;
-      for (std::size_t i = 0; i < scaled_.size; ++i) residual -= dual::columns(scaled_, i) * F_[i];
+    double largest_force = 1;
+    for (int round = 0; round < 4; ++round) {
       if (free_turn) residual.row(2).setZero();
-      const Affine<3> dY = scale.asDiagonal() * factor.solve(scale.asDiagonal() * residual);
+      if (residual.cwiseAbs().maxCoeff() <= 1e-15 * largest_force) break;
+      const Affine<3> dY = inverse * residual;
       Y += dY;
-      largest_force = 0;
+      residual << 0, 0, 1, 0, 1, 0, 0, 0, 0;
       for (std::size_t i = 0; i < scaled_.size; ++i) {
-        F_[i] += faces_[i].P * (dual::columns(scaled_, i).transpose() * dY);
+        const Affine<2> dZ = columns_[i].transpose() * dY;
+        F_[i] += faces_[i].P * dZ;
+        residual -= columns_[i] * F_[i];
         largest_force = std::max(largest_force, F_[i].cwiseAbs().maxCoeff());
       }
     }
@@ -216,7 +227,7 @@ class Tracer {
     const bool free = !face.at_lo && !face.at_hi;
     using Row = Eigen::RowVector3d;
     const Row one(1, 0, 0);
-    const Affine<2> Z = dual::columns(scaled_, i).transpose() * Y;
+    const Affine<2> Z = columns_[i].transpose() * Y;
     const Row n = F_[i].row(0), t = F_[i].row(1), zn = Z.row(0), side = face.sign * Z.row(1);
     const Row along = face.edge ? Row((zn + mu * side) * c.edge[k]) : zn;
     if (face.edge && face.at_lo && lo == 0) {  // the apex
@@ -390,8 +401,9 @@ class Tracer {
   const ScaledGrasp<2>& scaled_;
   double cap_;
   dual::Point<2> point_;
-  std::vector<dual::Face> faces_;
-  std::vector<Affine<2>> F_;  // forces of the arc
+  std::vector<Eigen::Matrix<double, 3, 2>> columns_;  // of G
+  std::vector<dual::Face> faces_;                     // of the arc
+  std::vector<Affine<2>> F_;                          // forces of the arc
   PostureCurve curve_;
 };
 

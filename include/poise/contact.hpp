@@ -22,7 +22,8 @@ struct Contact {
   double max_normal{std::numeric_limits<double>::infinity()};  ///< greatest normal force [N]
   /// The part of a pad that this contact stands for, in (0, 1]: its force counts as |f|^2 / share.
   double share{1};
-  std::string finger{};  ///< label; left empty, the contact is a finger of its own
+  // "", since {} makes g++ 12 crash on grasps written as nested braces.
+  std::string finger = "";  ///< label; left empty, the contact is a finger of its own
 };
 
 }  // namespace poise

@@ -21,12 +21,12 @@ struct Harmonic1 {
 struct Harmonic2 {
   double c0{0}, cos1{0}, sin1{0}, cos2{0}, sin2{0};
   double operator()(double theta) const {
-    return c0 + cos1 * std::cos(theta) + sin1 * std::sin(theta) + cos2 * std::cos(2 * theta) +
-           sin2 * std::sin(2 * theta);
+    const double c = std::cos(theta), s = std::sin(theta);
+    return c0 + cos1 * c + sin1 * s + cos2 * (c * c - s * s) + sin2 * 2 * s * c;
   }
   double slope(double theta) const {
-    return -cos1 * std::sin(theta) + sin1 * std::cos(theta) - 2 * cos2 * std::sin(2 * theta) +
-           2 * sin2 * std::cos(2 * theta);
+    const double c = std::cos(theta), s = std::sin(theta);
+    return sin1 * c - cos1 * s + 2 * (sin2 * (c * c - s * s) - cos2 * 2 * s * c);
   }
 };
 
@@ -46,8 +46,8 @@ struct Arc {
   std::size_t first_state{0};
 };
 
-/// Postures in which the object cannot be held, and one y that proves it for all inside (see
-/// Hold::dual).
+/// Postures in which the object cannot be held, and one y that proves it inside (see Hold::dual),
+/// up to about 1e-8 rad from ends where the object can be held.
 struct UnholdableArc {
   double from{0}, to{0};  ///< [rad], open
   Twist<2> y;
