@@ -27,7 +27,7 @@ void split(const Arc& arc, double turn, std::vector<Segment>& segments) {
   double from = arc.from;
   const auto add_until = [&](double to) {
     const double slope = arc.V.slope((from + to) / 2);
-    const int trend = std::abs(slope) <= 1e-11 * scale(arc.V) ? 0 : slope > 0 ? 1 : -1;
+    const int trend = std::abs(slope) <= 1e-13 * scale(arc.V) ? 0 : slope > 0 ? 1 : -1;
     segments.push_back({from + turn, to + turn, trend, &arc.V});
     from = to;
   };
@@ -42,48 +42,54 @@ double wrapped(double angle) {
   return a <= -pi ? pi : a;
 }
 
-/// The optimum between segments `before` and `after`, either of which may be missing at an end.
-Optimum between(const Segment* before, const Segment* after, double from, double to, bool maximum,
-                bool boundary) {
+/// The optimum between the segments before and after it, which rise or fall and either of which may
+/// be missing at an end; `flat` is there where neither rising nor falling segments lie between
+/// them.
+Optimum between(const Segment* before, const Segment* flat, const Segment* after, double from,
+                double to, bool maximum, bool boundary) {
   Optimum optimum;
   optimum.maximum = maximum;
   optimum.kind = boundary ? Kind::boundary : Kind::smooth;
   const double middle = (from + to) / 2;
   optimum.angle = optimum.from = optimum.to = wrapped(middle);
-  const Harmonic2& V = after ? *after->V : *before->V;
-  optimum.effort = V(middle);
+  optimum.effort = (*(flat ? flat : after ? after : before)->V)(middle);
   if (to - from > 1e-8) {  // a stretch of equal V
     const double turns = 2 * pi * std::floor((from + pi) / (2 * pi));
     optimum.from = from - turns;
     optimum.to = to - turns;
-  } else if (before && after && before->V != after->V) {
+  } else if (before && after && before->V != after->V && !boundary) {
     const double corner = after->V->slope(middle) - before->V->slope(middle);
-    const bool sharp = corner > 1e-9 * std::max(scale(*before->V), scale(*after->V));
-    if (!boundary && sharp) optimum.kind = Kind::kink;
+    const double rounding = 1e-14 * std::max(scale(*before->V), scale(*after->V));
+    if (corner > std::max(1e-9 * optimum.effort, rounding)) optimum.kind = Kind::kink;
   }
   return optimum;
 }
 
 /// Walks along the segments of one holdable interval, or once around the circle.
 void find(const std::vector<Segment>& segments, bool circle, std::vector<Optimum>& found) {
-  const Segment* before = nullptr;  // the last that rises or falls
+  const Segment *before = nullptr,
+                *flat = nullptr;  // the last that rises or falls; the next flat one
   double from = segments.front().from;
   for (const Segment& segment : segments) {
-    if (segment.trend == 0) continue;
+    if (segment.trend == 0) {
+      if (!flat) flat = &segment;
+      continue;
+    }
     const bool end = !before;
     if (!(end && circle) && (end || segment.trend != before->trend))
-      found.push_back(between(before, &segment, from, segment.from, segment.trend < 0, end));
+      found.push_back(between(before, flat, &segment, from, segment.from, segment.trend < 0, end));
     before = &segment;
+    flat = nullptr;
     from = segment.to;
   }
   const double to = segments.back().to;
   if (circle && before) return;
   if (before) {
-    found.push_back(between(before, nullptr, from, to, before->trend > 0, true));
+    found.push_back(between(before, flat, nullptr, from, to, before->trend > 0, true));
   } else {  // V is the same everywhere
     const double start = circle ? -pi : from, stop = circle ? pi : to;
     for (const bool maximum : {false, true})
-      found.push_back(between(nullptr, &segments.front(), start, stop, maximum, !circle));
+      found.push_back(between(nullptr, flat, nullptr, start, stop, maximum, !circle));
   }
 }
 

@@ -37,10 +37,12 @@ struct Reach {
     const double square = half * half - here * far;
     if (square < 0) return;
     const double sum = -(half + std::copysign(std::sqrt(square), half));
-    for (const double t : {sum / far, here / sum}) {
-      if (t >= 0) most = std::min(most, t);
-      if (t <= 0) least = std::max(least, t);
+    const double one = sum / far, other = here / sum;
+    for (const double t : {one, other}) {
+      if (t > 0) most = std::min(most, t);
+      if (t < 0) least = std::max(least, t);
     }
+    if (here == 0) (half > 0 ? least : most) = 0;  // but for rounding, only one side is open
   }
   /// Keeps to this side of a posture.
   void stop(double angle) {
@@ -92,7 +94,8 @@ class Tracer {
       if (hi - lo <= same_angle) continue;
       const Interval piece = piece_at(lo + 0.4871 * (hi - lo), lo, hi);
       // At the limit of holding, rounding decides: there may be no piece to be found.
-      if (piece.to == piece.from && hi - lo < undecided) continue;
+      const bool fruitless = piece.to == piece.from;
+      if (fruitless && (hi - lo < undecided || ++fruitless_probes_ > 1000)) continue;
       open.push_back({lo, piece.from});
       open.push_back({piece.to, hi});
     }
@@ -183,6 +186,8 @@ class Tracer {
       for (std::size_t i = 0; i < scaled_.size; ++i) {
         const Affine<2> dZ = columns_[i].transpose() * dY;
         F_[i] += faces_[i].P * dZ;
+        // Exactly on the edge: what rounding adds beside it would be taken for a balance.
+        if (faces_[i].edge) F_[i].row(1) = faces_[i].sign * mu(i) * F_[i].row(0);
         residual -= columns_[i] * F_[i];
         largest_force = std::max(largest_force, F_[i].cwiseAbs().maxCoeff());
       }
@@ -293,6 +298,8 @@ class Tracer {
     for (const double end : sign_changes(below, at - pi, at + pi)) reach.stop(end);
   }
 
+  double mu(std::size_t i) const { return scaled_.lanes[i / lane_size].mu[i % lane_size]; }
+
   void add(Arc& arc) {
     arc.first_state = curve_.states.size();
     for (std::size_t i = 0; i < scaled_.size; ++i) {
@@ -400,6 +407,7 @@ class Tracer {
   const Grasp<2>& grasp_;
   const ScaledGrasp<2>& scaled_;
   double cap_;
+  int fruitless_probes_{0};
   dual::Point<2> point_;
   std::vector<Eigen::Matrix<double, 3, 2>> columns_;  // of G
   std::vector<dual::Face> faces_;                     // of the arc
