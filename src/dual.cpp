@@ -411,7 +411,9 @@ void sharpen(const ScaledGrasp<2>& grasp, const Wrench<2>& w, double force_cap, 
 template <>
 bool maximise<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
                  double force_cap, Point<2>& point) {
-  if (ascend<2>(grasp, w, start, force_cap, 0, point)) return true;
+  // A proof that a neighbour cannot be held is too long to start from.
+  const bool near = span(start) < 1e8;
+  if (ascend<2>(grasp, w, near ? start : cold_start<2>(grasp, w), force_cap, 0, point)) return true;
   sharpen(grasp, w, force_cap, point);
   return false;
 }
