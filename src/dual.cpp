@@ -371,9 +371,7 @@ bool ascend(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim
     }
     cuts = cut ? cuts + 1 : 0;
   }
-  // Within rounding of the limit of holding there is neither a proof nor a balance within delta:
-  // what rounding of such large forces leaves is a balance.
-  return size<Dim>(point.residual) <= delta || (rho == 0 && polish(grasp, w, 1e-9, point));
+  return size<Dim>(point.residual) <= delta;
 }
 
 }  // namespace
@@ -414,6 +412,21 @@ bool maximise<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist<2>
   // A proof that a neighbour cannot be held is too long to start from.
   const bool near = span(start) < 1e8;
   if (ascend<2>(grasp, w, near ? start : cold_start<2>(grasp, w), force_cap, 0, point)) return true;
+  if (lower_bound(point) > force_cap * force_cap) {
+    sharpen(grasp, w, force_cap, point);
+    return false;
+  }
+  // Forces so large that rounding hid the faces: a pull towards y = 0 that fades away shows them.
+  for (const double rho : {1e-6, 1e-8, 1e-10, 1e-12, 1e-14}) {
+    Point<2> pulled = point;
+    ascend<2>(grasp, w, Twist<2>::Zero(), std::numeric_limits<double>::infinity(), rho, pulled);
+    evaluate<2>(grasp, w, pulled.y, pulled);
+    for (const double tolerance : {1e-13, 1e-11, 1e-9})
+      if (polish(grasp, w, tolerance, pulled)) {
+        point = pulled;
+        return !(lower_bound(point) > force_cap * force_cap);
+      }
+  }
   sharpen(grasp, w, force_cap, point);
   return false;
 }
