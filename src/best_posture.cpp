@@ -35,7 +35,7 @@ double lower_bound(const Grasp<2>& grasp, const PostureCurve& curve) {
   dual::Point<2> point(scaled.size);
   double least = std::numeric_limits<double>::infinity();
   for (const Arc& arc : curve.arcs) {
-    std::vector<double> angles = sign_changes(derivative(arc.V), arc.from, arc.to);
+    Roots angles = sign_changes(derivative(arc.V), arc.from, arc.to);
     angles.push_back(arc.from);
     angles.push_back(arc.to);
     for (const double theta : angles) {

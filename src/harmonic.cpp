@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace poise {
 namespace {
@@ -46,9 +47,9 @@ std::vector<double> sign_changes(const Polynomial& p, double from, double to) {
 
 Harmonic2 derivative(const Harmonic2& g) { return {0, g.sin1, -g.cos1, 2 * g.sin2, -2 * g.cos2}; }
 
-std::vector<double> sign_changes(const Harmonic2& g, double from, double to) {
+Roots sign_changes(const Harmonic2& g, double from, double to) {
   constexpr double half_pi = 1.5707963267948966;
-  std::vector<double> roots;
+  Roots roots;
   if (g.c0 == 0 && g.cos1 == 0 && g.sin1 == 0) {  // cos(2 theta - psi) = 0
     if (g.cos2 == 0 && g.sin2 == 0) return roots;
     const double first = (std::atan2(g.sin2, g.cos2) + half_pi) / 2;

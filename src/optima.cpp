@@ -52,13 +52,14 @@ Optimum between(const Segment* before, const Segment* flat, const Segment* after
   optimum.kind = boundary ? Kind::boundary : Kind::smooth;
   const double middle = (from + to) / 2;
   optimum.angle = optimum.from = optimum.to = wrapped(middle);
-  optimum.effort = (*(flat ? flat : after ? after : before)->V)(middle);
+  const double c = std::cos(middle), s = std::sin(middle);
+  optimum.effort = (flat ? flat : after ? after : before)->V->at(c, s);
   if (to - from > 1e-8) {  // a stretch of equal V
     const double turns = 2 * pi * std::floor((from + pi) / (2 * pi));
     optimum.from = from - turns;
     optimum.to = to - turns;
   } else if (before && after && before->V != after->V && !boundary) {
-    const double corner = after->V->slope(middle) - before->V->slope(middle);
+    const double corner = after->V->slope_at(c, s) - before->V->slope_at(c, s);
     const double rounding = 1e-14 * std::max(scale(*before->V), scale(*after->V));
     if (corner > std::max(1e-9 * optimum.effort, rounding)) optimum.kind = Kind::kink;
   }
@@ -106,6 +107,7 @@ bool better(const Optimum& a, const Optimum& b) {
 
 std::vector<Optimum> optima(const PostureCurve& curve) {
   std::vector<Optimum> found;
+  found.reserve(8);
   for (const Interval& interval : curve.holdable) {
     const bool circle = interval.to - interval.from >= 2 * pi;
     std::vector<Segment> segments;

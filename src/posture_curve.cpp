@@ -57,16 +57,22 @@ struct Reach {
   double most{std::numeric_limits<double>::infinity()};
 };
 
+/// One contact along an arc.
+struct ContactOnArc {
+  Eigen::Matrix<double, 3, 2> G;  ///< its columns of the grasp matrix
+  dual::Face face;
+  Affine<2> F;  ///< its force
+};
+
 class Tracer {
  public:
   Tracer(const Grasp<2>& grasp, const CurveSettings& settings)
       : grasp_(grasp), scaled_(grasp.scaled()), cap_(settings.force_cap), point_(scaled_.size) {
     curve_.domain = domain_interval(grasp, settings.domain);
-    faces_.resize(scaled_.size);
-    F_.resize(scaled_.size);
+    contacts_.resize(scaled_.size);
     curve_.arcs.reserve(8);
     curve_.states.reserve(8 * scaled_.size);
-    for (std::size_t i = 0; i < scaled_.size; ++i) columns_.push_back(dual::columns(scaled_, i));
+    for (std::size_t i = 0; i < scaled_.size; ++i) contacts_[i].G = dual::columns(scaled_, i);
   }
 
   PostureCurve trace() {
@@ -151,8 +157,9 @@ class Tracer {
   bool arc_at(double at, Reach& reach, Arc& arc) {
     Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < scaled_.size; ++i) {
-      faces_[i] = dual::face(scaled_, i, point_.z(i));
-      M += columns_[i] * faces_[i].P * columns_[i].transpose();
+      ContactOnArc& contact = contacts_[i];
+      contact.face = dual::face(scaled_, i, point_.z(i));
+      M += contact.G * contact.face.P * contact.G.transpose();
     }
     // A turn about the com that no contact feels has no say in the forces (2 x 2 is left of M).
     const bool free_turn = M(2, 2) <= 1e-26 * M.trace();
@@ -171,25 +178,26 @@ class Tracer {
     // y and the forces, refined in the forces: see dual.cpp, polish.
     Affine<3> Y = Affine<3>::Zero(), residual;
     residual << 0, 0, 1, 0, 1, 0, 0, 0, 0;  // w
-    for (std::size_t i = 0; i < scaled_.size; ++i) {
-      F_[i].setZero();
-      F_[i].col(0) = faces_[i].f0;
-      residual.col(0) -= columns_[i] * faces_[i].f0;
+    for (ContactOnArc& contact : contacts_) {
+      contact.F.setZero();
+      contact.F.col(0) = contact.face.f0;
+      residual.col(0) -= contact.G * contact.face.f0;
     }
     double largest_force = 1;
     for (int round = 0; round < 4; ++round) {
       if (free_turn) residual.row(2).setZero();
-      if (residual.cwiseAbs().maxCoeff() <= 1e-15 * largest_force) break;
+      if (residual.cwiseAbs().maxCoeff() <= 4e-15 * largest_force) break;
       const Affine<3> dY = inverse * residual;
       Y += dY;
       residual << 0, 0, 1, 0, 1, 0, 0, 0, 0;
       for (std::size_t i = 0; i < scaled_.size; ++i) {
-        const Affine<2> dZ = columns_[i].transpose() * dY;
-        F_[i] += faces_[i].P * dZ;
+        ContactOnArc& contact = contacts_[i];
+        const dual::Face& face = contact.face;
+        contact.F += face.P * (contact.G.transpose() * dY);
         // Exactly on the edge: what rounding adds beside it would be taken for a balance.
-        if (faces_[i].edge) F_[i].row(1) = faces_[i].sign * mu(i) * F_[i].row(0);
-        residual -= columns_[i] * F_[i];
-        largest_force = std::max(largest_force, F_[i].cwiseAbs().maxCoeff());
+        if (face.edge) contact.F.row(1) = face.sign * mu(i) * contact.F.row(0);
+        residual -= contact.G * contact.F;
+        largest_force = std::max(largest_force, contact.F.cwiseAbs().maxCoeff());
       }
     }
     if (free_turn) Y.row(2) = turn_at(at, Y);
@@ -201,8 +209,9 @@ class Tracer {
       for_each_condition(i, Y, [&](const Eigen::RowVector3d& g, bool of_force) {
         reach.keep(g, of_force ? rounding_f : rounding_y);
       });
+      const Affine<2>& F = contacts_[i].F;
       for (int k = 0; k < 2; ++k) {
-        const double a = F_[i](k, 0), b = F_[i](k, 1), c = F_[i](k, 2), square = weight * weight;
+        const double a = F(k, 0), b = F(k, 1), c = F(k, 2), square = weight * weight;
         arc.V.c0 += square * (a * a + (b * b + c * c) / 2);
         arc.V.cos1 += square * 2 * a * b;
         arc.V.sin1 += square * 2 * a * c;
@@ -228,12 +237,12 @@ class Tracer {
     const ContactLane<2>& c = scaled_.lanes[i / lane_size];
     const std::size_t k = i % lane_size;
     const double mu = c.mu[k], lo = c.lo[k], hi = c.hi[k];
-    const dual::Face& face = faces_[i];
+    const auto& [G, face, F] = contacts_[i];
     const bool free = !face.at_lo && !face.at_hi;
     using Row = Eigen::RowVector3d;
     const Row one(1, 0, 0);
-    const Affine<2> Z = columns_[i].transpose() * Y;
-    const Row n = F_[i].row(0), t = F_[i].row(1), zn = Z.row(0), side = face.sign * Z.row(1);
+    const Affine<2> Z = G.transpose() * Y;
+    const Row n = F.row(0), t = F.row(1), zn = Z.row(0), side = face.sign * Z.row(1);
     const Row along = face.edge ? Row((zn + mu * side) * c.edge[k]) : zn;
     if (face.edge && face.at_lo && lo == 0) {  // the apex
       f(-along, false);
@@ -303,7 +312,7 @@ class Tracer {
   void add(Arc& arc) {
     arc.first_state = curve_.states.size();
     for (std::size_t i = 0; i < scaled_.size; ++i) {
-      const dual::Face& face = faces_[i];
+      const dual::Face& face = contacts_[i].face;
       const std::size_t k = i % lane_size;
       const ContactLane<2>& c = scaled_.lanes[i / lane_size];
       const bool empty = (face.at_lo && c.lo[k] == 0) || (face.at_hi && c.hi[k] == 0);
@@ -409,9 +418,7 @@ class Tracer {
   double cap_;
   int fruitless_probes_{0};
   dual::Point<2> point_;
-  std::vector<Eigen::Matrix<double, 3, 2>> columns_;  // of G
-  std::vector<dual::Face> faces_;                     // of the arc
-  std::vector<Affine<2>> F_;                          // forces of the arc
+  std::vector<ContactOnArc> contacts_;
   PostureCurve curve_;
 };
 

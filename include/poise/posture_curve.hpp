@@ -20,12 +20,13 @@ struct Harmonic1 {
 /// Harmonic1 + cos2 cos(2 theta) + sin2 sin(2 theta)
 struct Harmonic2 {
   double c0{0}, cos1{0}, sin1{0}, cos2{0}, sin2{0};
-  double operator()(double theta) const {
-    const double c = std::cos(theta), s = std::sin(theta);
+  double operator()(double theta) const { return at(std::cos(theta), std::sin(theta)); }
+  double slope(double theta) const { return slope_at(std::cos(theta), std::sin(theta)); }
+  /// The same from the cosine and sine of theta.
+  double at(double c, double s) const {
     return c0 + cos1 * c + sin1 * s + cos2 * (c * c - s * s) + sin2 * 2 * s * c;
   }
-  double slope(double theta) const {
-    const double c = std::cos(theta), s = std::sin(theta);
+  double slope_at(double c, double s) const {
     return sin1 * c - cos1 * s + 2 * (sin2 * (c * c - s * s) - cos2 * 2 * s * c);
   }
 };
