@@ -54,8 +54,14 @@ PlanarPosture posture_at(const Grasp<2>& grasp, const Optimum& optimum,
                          const CurveSettings& settings) {
   PlanarPosture posture;
   posture.optimum = optimum;
-  const Vector<2> up = up_at(optimum.angle);
+  Vector<2> up = up_at(optimum.angle);
   posture.hold = hold(grasp, up, {settings.force_cap});
+  // An end of the holdable postures may miss them by rounding.
+  for (const double off : {1e-9, -1e-9, 1e-8, -1e-8}) {
+    if (posture.hold.holdable) break;
+    up = up_at(optimum.angle + off);
+    posture.hold = hold(grasp, up, {settings.force_cap});
+  }
   if (posture.hold.holdable) posture.optimum.effort = posture.hold.effort;
   posture.manner = manner(grasp, up, posture.hold);
   std::vector<std::size_t> loaded;

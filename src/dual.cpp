@@ -109,11 +109,14 @@ namespace {
 /// x = M⁻¹ r for positive semidefinite M (upper triangle), by M = UᵀDU without divisions on the
 /// way. Directions in which M vanishes get very long steps instead of none.
 Twist<2> newton_step(const Eigen::Matrix3d& M, const Wrench<2>& r) {
-  const double least = 1e-15 * (M(0, 0) + M(1, 1) + M(2, 2)) + 1e-30;
+  // A pivot is known to within rounding of its own diagonal entry.
+  constexpr double rounding = 1e-15, least = 1e-30;
   const double a = std::max(M(0, 0), least);
-  const double b = std::max(a * M(1, 1) - M(0, 1) * M(0, 1), least * a);
+  const double aM = a * M(1, 1);
+  const double b = std::max(aM - M(0, 1) * M(0, 1), rounding * aM + least * a);
   const double c = a * M(1, 2) - M(0, 1) * M(0, 2);
-  const double d = std::max(b * (a * M(2, 2) - M(0, 2) * M(0, 2)) - c * c, least * a * b);
+  const double baM = b * a * M(2, 2);
+  const double d = std::max(baM - b * M(0, 2) * M(0, 2) - c * c, rounding * baM + least * a * b);
   const double ra = 1 / a, rb = 1 / b, rd = 1 / d;
   const double r1 = a * r[1] - M(0, 1) * r[0], r2 = b * (a * r[2] - M(0, 2) * r[0]) - c * r1;
   Twist<2> x;
@@ -378,19 +381,16 @@ bool ascend(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim
 
 namespace {
 
-/// Replaces a proof that nothing holds by the sharpest: the direction from what can be balanced to
-/// w. It is normal to the faces on which the nearest balance lies, and so the same for all loads
-/// near this one, up to the limit of holding.
-void sharpen(const ScaledGrasp<2>& grasp, const Wrench<2>& w, double force_cap, Point<2>& point) {
-  Point<2> nearest = point;
-  if (!ascend<2>(grasp, w, Twist<2>::Zero(), std::numeric_limits<double>::infinity(), 1e-6,
-                 nearest))
-    return;
+/// From the y that is pulled towards 0 by rho: the direction from what can be balanced to w, as a
+/// proof that nothing holds. It is normal to the faces on which the nearest balance lies, and so
+/// the same for all loads near this one, up to the limit of holding.
+bool separate(const ScaledGrasp<2>& grasp, const Wrench<2>& w, double force_cap,
+              const Point<2>& pulled, Point<2>& proof) {
   Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
   Wrench<2> beyond = w;
   for (std::size_t i = 0; i < grasp.size; ++i) {
     const Eigen::Matrix<double, 3, 2> G = columns(grasp, i);
-    const Face on = face(grasp, i, nearest.z(i));
+    const Face on = face(grasp, i, pulled.z(i));
     M += G * on.P * G.transpose();
     beyond -= G * on.f0;
   }
@@ -399,9 +399,12 @@ void sharpen(const ScaledGrasp<2>& grasp, const Wrench<2>& w, double force_cap, 
   for (int k = 0; k < 3; ++k)
     if (eigen.eigenvalues()[k] <= 1e-9 * M.trace())
       d += eigen.eigenvectors().col(k).dot(beyond) * eigen.eigenvectors().col(k);
-  if (!(length<2>(d) > 0)) return;
+  if (!(length<2>(d) > 0)) return false;
   d /= length<2>(d);
-  if (prove<2>(grasp, w, Twist<2>::Zero(), d, force_cap, nearest) == Rise::proof) point = nearest;
+  Point<2> far = pulled;
+  if (prove<2>(grasp, w, Twist<2>::Zero(), d, force_cap, far) != Rise::proof) return false;
+  proof = far;
+  return true;
 }
 
 }  // namespace
@@ -409,25 +412,24 @@ void sharpen(const ScaledGrasp<2>& grasp, const Wrench<2>& w, double force_cap, 
 template <>
 bool maximise<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
                  double force_cap, Point<2>& point) {
+  const double unholdable = force_cap * force_cap;
   // A proof that a neighbour cannot be held is too long to start from.
   const bool near = span(start) < 1e8;
   if (ascend<2>(grasp, w, near ? start : cold_start<2>(grasp, w), force_cap, 0, point)) return true;
-  if (lower_bound(point) > force_cap * force_cap) {
-    sharpen(grasp, w, force_cap, point);
-    return false;
-  }
-  // Forces so large that rounding hid the faces: a pull towards y = 0 that fades away shows them.
+  const bool proven = lower_bound(point) > unholdable;
+  // A pull towards y = 0 gives the sharpest proof; fading away, it also shows the faces of forces
+  // so large that rounding hid them.
   for (const double rho : {1e-6, 1e-8, 1e-10, 1e-12, 1e-14}) {
     Point<2> pulled = point;
     ascend<2>(grasp, w, Twist<2>::Zero(), std::numeric_limits<double>::infinity(), rho, pulled);
+    if (separate(grasp, w, force_cap, pulled, point) || proven) return false;
     evaluate<2>(grasp, w, pulled.y, pulled);
     for (const double tolerance : {1e-13, 1e-11, 1e-9})
       if (polish(grasp, w, tolerance, pulled)) {
         point = pulled;
-        return !(lower_bound(point) > force_cap * force_cap);
+        return !(lower_bound(point) > unholdable);
       }
   }
-  sharpen(grasp, w, force_cap, point);
   return false;
 }
 

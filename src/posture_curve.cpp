@@ -133,12 +133,12 @@ class Tracer {
   /// Around a posture where point_.y proves that nothing holds: where else it does.
   void unholdable_reach(const Wrench<2>& w, Reach& reach) {
     Twist<2> y = point_.y;
-    const double value = point_.value, bound = dual::lower_bound(point_) - cap_ * cap_;
-    // A y that proves more the longer it is, proves it up to where gravity no longer drives it.
-    constexpr double longer = 1e8;
-    dual::evaluate<2>(scaled_, w, longer * y, point_);
-    const bool ray = point_.value > 0.5 * longer * value;
-    if (ray) y *= longer;
+    const double value = point_.value, bound = dual::lower_bound(point_) - (1 + 1e-8) * cap_ * cap_;
+    // A y that proves more the longer it is, proves it up to where gravity no longer drives it; too
+    // long, and rounding in G^T y drowns it.
+    dual::evaluate<2>(scaled_, w, 1e3 * y, point_);
+    const bool ray = point_.value > 500 * value;
+    if (ray) y *= std::clamp(1e19 / y.norm(), 1.0, 1e8);
     dual::evaluate<2>(scaled_, w, y, point_);
     double limits = 0;  // what contacts at their limits add to phi; of a ray the rest is rounding
     for (std::size_t i = 0; i < scaled_.size; ++i) {
@@ -315,7 +315,7 @@ class Tracer {
       const dual::Face& face = contacts_[i].face;
       const std::size_t k = i % lane_size;
       const ContactLane<2>& c = scaled_.lanes[i / lane_size];
-      const bool empty = (face.at_lo && c.lo[k] == 0) || (face.at_hi && c.hi[k] == 0);
+      const bool empty = contacts_[i].F.row(0).cwiseAbs().maxCoeff() <= 1e-9;
       curve_.states.push_back({empty       ? ContactState::unloaded
                                : face.edge ? ContactState::slipping
                                            : ContactState::sticking,
@@ -356,7 +356,27 @@ class Tracer {
     order(curve_.unholdable_arcs);
     add_points(circle);
     order(curve_.arcs);
+    drop_slivers();
     join_arcs(circle);
+  }
+
+  /// Where an arc gives way to unholdable postures, rounding may find slivers in between.
+  void drop_slivers() {
+    const auto near = [](double a, double b) {
+      return std::abs(std::remainder(a - b, 2 * pi)) <= undecided;
+    };
+    const auto& arcs = curve_.arcs;
+    std::vector<Arc> kept;
+    for (const Arc& arc : arcs) {
+      bool beside_gap = false, beside_arc = false;
+      for (const UnholdableArc& gap : curve_.unholdable_arcs)
+        beside_gap = beside_gap || near(gap.from, arc.to) || near(gap.to, arc.from);
+      for (const Arc& other : arcs)
+        beside_arc = beside_arc || (other.to - other.from > undecided &&
+                                    (near(other.from, arc.to) || near(other.to, arc.from)));
+      if (arc.to - arc.from > undecided || !beside_gap || !beside_arc) kept.push_back(arc);
+    }
+    curve_.arcs = std::move(kept);
   }
 
   /// Single postures hold, if any, where unholdable arcs meet or the domain ends.
@@ -440,6 +460,11 @@ Interval domain_interval(const Grasp<2>& grasp, Domain domain) {
 PostureCurve posture_curve(const Grasp<2>& grasp, const CurveSettings& settings) {
   PostureCurve curve = Tracer(grasp, settings).trace();
   curve.optima = optima(curve);
+  for (Interval& interval : curve.holdable) {
+    const double turns = 2 * pi * std::floor((interval.from + pi) / (2 * pi));
+    interval.from -= turns;
+    interval.to -= turns;
+  }
   return curve;
 }
 
