@@ -71,10 +71,11 @@ double lower_bound(const Point<Dim>& point);
 template <int Dim>
 Twist<Dim> cold_start(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w);
 
-/// Maximises from y. True: point.f is the hold of least effort, point.y its proof. False: it cannot
-/// be held, lower_bound(point) > force_cap^2, by the y that tells w best from what can be balanced.
+/// Maximises from `start`. True: point.f is the hold of least effort, point.y its proof. False: it
+/// cannot be held, lower_bound(point) > force_cap^2, by the y that tells w best from what can be
+/// balanced.
 template <int Dim>
-bool maximise(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& y,
+bool maximise(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& start,
               double force_cap, Point<Dim>& point);
 
 }  // namespace poise::dual

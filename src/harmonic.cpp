@@ -38,7 +38,7 @@ std::vector<double> sign_changes(const Polynomial& p, double from, double to) {
   ends.push_back(to);
   std::vector<double> roots;
   for (std::size_t i = 1; i < ends.size(); ++i)
-    if (value(p, ends[i - 1]) * value(p, ends[i]) < 0)
+    if ((value(p, ends[i - 1]) > 0) != (value(p, ends[i]) > 0))
       roots.push_back(bisect([&](double t) { return value(p, t); }, ends[i - 1], ends[i]));
   return roots;
 }
@@ -57,22 +57,22 @@ Roots sign_changes(const Harmonic2& g, double from, double to) {
       if (first + k * half_pi > from) roots.push_back(first + k * half_pi);
     return roots;
   }
+  // Off the middle, where symmetric curves have their roots.
+  const double middle = from + 0.4871 * (to - from);
   if (to - from > 3) {
-    const double middle = (from + to) / 2;
     roots = sign_changes(g, from, middle);
-    if (g(middle) == 0) roots.push_back(middle);
     for (const double theta : sign_changes(g, middle, to)) roots.push_back(theta);
     return roots;
   }
   // t = tan((theta - middle) / 2) makes it a quartic.
-  const double middle = (from + to) / 2, c = std::cos(middle), s = std::sin(middle);
+  const double c = std::cos(middle), s = std::sin(middle);
   const double cc = std::cos(2 * middle), ss = std::sin(2 * middle);
   const double cos1 = g.cos1 * c + g.sin1 * s, sin1 = g.sin1 * c - g.cos1 * s;
   const double cos2 = g.cos2 * cc + g.sin2 * ss, sin2 = g.sin2 * cc - g.cos2 * ss;
   const Polynomial quartic{g.c0 + cos1 + cos2, 2 * sin1 + 4 * sin2, 2 * g.c0 - 6 * cos2,
                            2 * sin1 - 4 * sin2, g.c0 - cos1 + cos2};
-  const double end = std::tan((to - from) / 4);
-  for (const double t : sign_changes(quartic, -end, end))
+  const double first = std::tan((from - middle) / 2), last = std::tan((to - middle) / 2);
+  for (const double t : sign_changes(quartic, first, last))
     roots.push_back(middle + 2 * std::atan(t));
   return roots;
 }

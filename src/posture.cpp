@@ -36,7 +36,7 @@ Interval cradled_wedge(const Grasp<2>& grasp) {
   const double near = 1e-9 * grasp.radius();
   std::vector<Vector<2>> arms;
   for (const Contact<2>& contact : grasp.contacts()) {
-    arms.push_back(contact.position - grasp.object().com);
+    arms.emplace_back(contact.position - grasp.object().com);
     if (arms.back().norm() <= near) return {};
   }
   std::sort(arms.begin(), arms.end(), [](const Vector<2>& a, const Vector<2>& b) {

@@ -133,7 +133,7 @@ class Tracer {
   /// Around a posture where point_.y proves that nothing holds: where else it does.
   void unholdable_reach(const Wrench<2>& w, Reach& reach) {
     Twist<2> y = point_.y;
-    const double value = point_.value, bound = dual::lower_bound(point_) - (1 + 1e-8) * cap_ * cap_;
+    const double value = point_.value, bound = dual::lower_bound(point_) - (1 + 1e-6) * cap_ * cap_;
     // A y that proves more the longer it is, proves it up to where gravity no longer drives it; too
     // long, and rounding in G^T y drowns it.
     dual::evaluate<2>(scaled_, w, 1e3 * y, point_);
@@ -311,13 +311,17 @@ class Tracer {
 
   void add(Arc& arc) {
     arc.first_state = curve_.states.size();
+    const auto vanishes = [](const Eigen::RowVector3d& g) {
+      return g.cwiseAbs().maxCoeff() <= 1e-9;
+    };
     for (std::size_t i = 0; i < scaled_.size; ++i) {
-      const dual::Face& face = contacts_[i].face;
+      const auto& [G, face, F] = contacts_[i];
       const std::size_t k = i % lane_size;
       const ContactLane<2>& c = scaled_.lanes[i / lane_size];
-      const bool empty = contacts_[i].F.row(0).cwiseAbs().maxCoeff() <= 1e-9;
-      curve_.states.push_back({empty       ? ContactState::unloaded
-                               : face.edge ? ContactState::slipping
+      const Eigen::RowVector3d n = F.row(0), t = F.row(1), most = c.mu[k] * n;
+      const bool slips = face.edge || vanishes(most - t) || vanishes(most + t);
+      curve_.states.push_back({vanishes(n) ? ContactState::unloaded
+                               : slips     ? ContactState::slipping
                                            : ContactState::sticking,
                                face.at_hi || c.hi[k] == 0  ? ForceLimit::max
                                : face.at_lo && c.lo[k] > 0 ? ForceLimit::min

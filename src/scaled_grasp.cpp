@@ -10,7 +10,6 @@ ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
     : size(grasp.contacts().size()),
       length(grasp.radius() > 0 ? grasp.radius() : 1),
       per_weight(1 / grasp.object().weight),
-      limited(false),
       lanes((size + lane_size - 1) / lane_size, ContactLane<2>{}) {
   Eigen::Matrix3d GGt = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < size; ++i) {

@@ -32,10 +32,10 @@ template <int Dim>
 struct ScaledGrasp {
   explicit ScaledGrasp(const Grasp<Dim>& grasp);
 
-  std::size_t size;   ///< contacts
-  double length;      ///< L [m], or 1 where every contact is at the centre of mass
-  double per_weight;  ///< 1 / W [1/N]
-  bool limited;       ///< whether any contact has a force limit
+  std::size_t size;     ///< contacts
+  double length;        ///< L [m], or 1 where every contact is at the centre of mass
+  double per_weight;    ///< 1 / W [1/N]
+  bool limited{false};  ///< whether any contact has a force limit
   std::vector<ContactLane<Dim>> lanes;
   std::vector<double> unit;  ///< of each contact's forces: W sqrt(share) [N]
   /// Pseudo-inverse of G Gᵀ: the dual of a load while no contact is at the border of its cone.
