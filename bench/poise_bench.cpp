@@ -23,8 +23,8 @@ struct Case {
   Twist<2> neighbour;  ///< the dual one degree away
 };
 
-/// Contacts on an ellipse, their normals up to 17 degrees off, friction 0.2 to 1; in a posture where
-/// 30 weights of force norm hold it.
+/// Contacts on an ellipse, their normals up to 17 degrees off, friction 0.2 to 1; in a posture
+/// where 30 weights of force norm hold it.
 Case random_case(std::mt19937& random, std::size_t contacts) {
   std::uniform_real_distribution<> uniform(0, 1);
   while (true) {
@@ -111,15 +111,14 @@ std::vector<Case> random_cases(std::size_t contacts) {
 }
 
 void hold_cold(benchmark::State& state) {
-  const std::size_t n = static_cast<std::size_t>(state.range(0));
+  const auto n = static_cast<std::size_t>(state.range(0));
   const std::vector<Case> cases = random_cases(n);
-  measure(state, cases.size(), n <= 64 ? 50 : 5, [&](std::size_t i) {
-    benchmark::DoNotOptimize(hold(cases[i].grasp, cases[i].up));
-  });
+  measure(state, cases.size(), n <= 64 ? 50 : 5,
+          [&](std::size_t i) { benchmark::DoNotOptimize(hold(cases[i].grasp, cases[i].up)); });
 }
 
 void hold_warm(benchmark::State& state) {
-  const std::size_t n = static_cast<std::size_t>(state.range(0));
+  const auto n = static_cast<std::size_t>(state.range(0));
   const std::vector<Case> cases = random_cases(n);
   measure(state, cases.size(), n <= 64 ? 50 : 5, [&](std::size_t i) {
     const Case& c = cases[i];
@@ -128,11 +127,10 @@ void hold_warm(benchmark::State& state) {
 }
 
 void curve(benchmark::State& state) {
-  const std::size_t n = static_cast<std::size_t>(state.range(0));
+  const auto n = static_cast<std::size_t>(state.range(0));
   const std::vector<Case> cases = random_cases(n);
-  measure(state, cases.size(), n <= 8 ? 10 : 1, [&](std::size_t i) {
-    benchmark::DoNotOptimize(posture_curve(cases[i].grasp));
-  });
+  measure(state, cases.size(), n <= 8 ? 10 : 1,
+          [&](std::size_t i) { benchmark::DoNotOptimize(posture_curve(cases[i].grasp)); });
 }
 
 void curve_of_the_papers_disk(benchmark::State& state) {
@@ -140,10 +138,24 @@ void curve_of_the_papers_disk(benchmark::State& state) {
   measure(state, 1, 20, [&](std::size_t) { benchmark::DoNotOptimize(posture_curve(disk)); });
 }
 
-BENCHMARK(hold_cold)->UseManualTime()->Iterations(1000)->Arg(2)->Arg(3)->Arg(4)->Arg(8)->Arg(16)
+BENCHMARK(hold_cold)
+    ->UseManualTime()
+    ->Iterations(1000)
+    ->Arg(2)
+    ->Arg(3)
+    ->Arg(4)
+    ->Arg(8)
+    ->Arg(16)
     ->Arg(64);
 BENCHMARK(hold_cold)->UseManualTime()->Iterations(100)->Arg(256)->Arg(1024);
-BENCHMARK(hold_warm)->UseManualTime()->Iterations(1000)->Arg(2)->Arg(3)->Arg(4)->Arg(8)->Arg(16)
+BENCHMARK(hold_warm)
+    ->UseManualTime()
+    ->Iterations(1000)
+    ->Arg(2)
+    ->Arg(3)
+    ->Arg(4)
+    ->Arg(8)
+    ->Arg(16)
     ->Arg(64);
 BENCHMARK(hold_warm)->UseManualTime()->Iterations(100)->Arg(256)->Arg(1024);
 BENCHMARK(curve_of_the_papers_disk)->UseManualTime()->Iterations(1000);

@@ -191,7 +191,7 @@ bool polish(const ScaledGrasp<2>& grasp, const Wrench<2>& w, double tolerance, P
     trial.residual = balance;
   }
   const double effort = squared_norm(trial);
-  if (size<2>(trial.residual) > std::max(delta, tolerance / 100 * scale)) return false;
+  if (size<2>(trial.residual) > std::max(delta, 1e-15 * scale)) return false;
   Point<2> proof = trial;
   evaluate(grasp, w, trial.y, proof);
   if (std::abs(effort - 2 * proof.value) > 1e3 * tolerance * effort) return false;

@@ -319,13 +319,16 @@ class Tracer {
       const std::size_t k = i % lane_size;
       const ContactLane<2>& c = scaled_.lanes[i / lane_size];
       const Eigen::RowVector3d n = F.row(0), t = F.row(1), most = c.mu[k] * n;
+      const auto at = [&](double limit) {
+        return std::isfinite(limit) && vanishes(n - Eigen::RowVector3d(limit, 0, 0));
+      };
       const bool slips = face.edge || vanishes(most - t) || vanishes(most + t);
       curve_.states.push_back({vanishes(n) ? ContactState::unloaded
                                : slips     ? ContactState::slipping
                                            : ContactState::sticking,
-                               face.at_hi || c.hi[k] == 0  ? ForceLimit::max
-                               : face.at_lo && c.lo[k] > 0 ? ForceLimit::min
-                                                           : ForceLimit::none});
+                               at(c.hi[k])                  ? ForceLimit::max
+                               : c.lo[k] > 0 && at(c.lo[k]) ? ForceLimit::min
+                                                            : ForceLimit::none});
     }
     curve_.arcs.push_back(arc);
   }

@@ -31,7 +31,7 @@ double read_angle(const std::string& text) {
 Vector<2> read_up(const std::string& text) {
   const std::size_t comma = text.find(',');
   const auto x = parsed(text.substr(0, comma));
-  const auto y = comma == text.npos ? std::nullopt : parsed(text.substr(comma + 1));
+  const auto y = comma == std::string::npos ? std::nullopt : parsed(text.substr(comma + 1));
   if (!x || !y)
     throw UsageError("--up: " + quoted(text) + " is not a direction, must be like 0.5,0.8");
   const Vector<2> up(*x, *y);

@@ -103,7 +103,7 @@ std::vector<Vector<2>> cone(const Scene& scene, const Contact<2>& contact, doubl
   constexpr int steps = 24;
   for (int k = -steps; k <= steps; ++k) {
     const double angle = half * k / steps;
-    line.push_back(tip + length * (std::cos(angle) * n + std::sin(angle) * left_of(n)));
+    line.emplace_back(tip + length * (std::cos(angle) * n + std::sin(angle) * left_of(n)));
   }
   line.push_back(tip);
   return line;

@@ -13,7 +13,7 @@
 #include <system_error>
 #include <utility>
 
-extern char** environ;
+extern char** environ;  // NOLINT(readability-redundant-declaration)
 
 namespace poise {
 namespace {

@@ -87,7 +87,7 @@ std::string optima_table(const Grasp<2>& grasp, const std::vector<PlanarPosture>
   }
   std::vector<std::string> headings{"posture",     "grip force [N]", "force norm [N]",
                                     "effort [N²]", "<manner",        "<kind"};
-  if (with_type) headings.push_back("<type");
+  if (with_type) headings.emplace_back("<type");
   Table table(headings);
   for (const PlanarPosture& posture : optima) {
     const Optimum& optimum = posture.optimum;
@@ -97,7 +97,7 @@ std::string optima_table(const Grasp<2>& grasp, const std::vector<PlanarPosture>
                                  fixed(optimum.effort, decimals_for(effort)),
                                  to_string(posture.manner),
                                  to_string(optimum.kind)};
-    if (with_type) row.push_back(optimum.maximum ? "maximum" : "minimum");
+    if (with_type) row.emplace_back(optimum.maximum ? "maximum" : "minimum");
     table.add(std::move(row));
   }
   return table.text(style);

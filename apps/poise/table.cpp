@@ -41,13 +41,15 @@ std::string wrapped(const std::string& words) {
 
 std::string fixed(double value, int decimals) {
   const std::string text = fmt::format("{:.{}f}", value, decimals);
-  return text.find_first_of("123456789") == text.npos && text.front() == '-' ? text.substr(1)
-                                                                             : text;
+  return text.find_first_of("123456789") == std::string::npos && text.front() == '-'
+             ? text.substr(1)
+             : text;
 }
 
 int decimals_for(double largest) {
   if (!(largest > 0)) return 0;
-  return std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 9);
+  const double rounded = largest * 1.00005;  // 9.9999 to four digits is 10.00
+  return std::clamp(3 - static_cast<int>(std::floor(std::log10(rounded))), 0, 9);
 }
 
 std::string plain(double value) { return fixed(value, decimals_for(std::abs(value))); }

@@ -1,0 +1,127 @@
+// The listings of the README and of the documentation, as a reader would try them.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "files/grasp_file.hpp"
+
+namespace poise {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = POISE_ROOT;
+
+std::string contents(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// What stands between ```language and ``` in a page.
+struct Listing {
+  std::string place, language, text;
+};
+
+std::vector<Listing> listings(const fs::path& page) {
+  std::vector<Listing> found;
+  std::istringstream lines(contents(page));
+  bool inside = false;
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (!line.starts_with("```")) {
+      if (inside) found.back().text += line + '\n';
+      continue;
+    }
+    inside = !inside;
+    if (inside)
+      found.push_back(
+          {page.filename().string() + ":" + std::to_string(number), line.substr(3), ""});
+  }
+  EXPECT_FALSE(inside) << page;
+  return found;
+}
+
+/// Those of the README, then those of docs/.
+std::vector<Listing> all_listings() {
+  std::vector<Listing> all = listings(root / "README.md");
+  for (const auto& page : fs::directory_iterator(root / "docs"))
+    if (page.path().extension() == ".md")
+      for (Listing& listing : listings(page.path())) all.push_back(std::move(listing));
+  return all;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+/// What a command prints on both streams, in the root of the repository.
+std::string output(const std::string& command) {
+  const std::string program = "'" POISE_PROGRAM "'", in = root.string();
+  const std::string line = replaced(command, "build/poise", program);
+  std::FILE* pipe = popen(("cd '" + in + "' && { " + line + "\n} 2>&1 </dev/null").c_str(), "r");
+  if (!pipe) return "cannot be run";
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    text.append(buffer.data(), n);
+  pclose(pipe);
+  return text;
+}
+
+TEST(Readme, CommandsPrintWhatItSays) {
+  int commands = 0;
+  for (const Listing& listing : all_listings()) {
+    if (listing.language != "console") continue;
+    std::istringstream lines(listing.text);
+    std::string printed;
+    for (std::string line; std::getline(lines, line);) {
+      const bool command = line.starts_with("$ ");
+      printed += command ? line + '\n' + output(line.substr(2)) : "";
+      commands += command ? 1 : 0;
+    }
+    EXPECT_EQ(printed, listing.text) << listing.place;
+  }
+  EXPECT_GE(commands, 4);
+}
+
+TEST(Readme, ProgramPrintsWhatItSays) {
+  std::string printed;
+  for (const Listing& listing : listings(root / "README.md")) {
+    if (listing.language == "cpp") printed = output("'" POISE_README_PROGRAM "'");
+    if (listing.language == "text") EXPECT_EQ(printed, listing.text) << listing.place;
+  }
+  EXPECT_NE(printed, "");
+}
+
+TEST(Readme, GraspFileIsTheExample) {
+  for (const Listing& listing : listings(root / "README.md"))
+    if (listing.language == "yaml")
+      EXPECT_EQ(listing.text, contents(root / "examples/l-part.yaml")) << listing.place;
+}
+
+TEST(Documentation, GraspFilesLoad) {
+  int files = 0;
+  for (const Listing& listing : all_listings()) {
+    const bool yaml = listing.language == "yaml" && listing.text.starts_with("poise:");
+    const bool json = listing.language == "json" && listing.text.find("\"poise\":") < 10;
+    if (!yaml && !json) continue;
+    ++files;
+    EXPECT_NO_THROW(
+        (yaml ? grasp_from_yaml : grasp_from_json)(listing.text, listing.place).grasp());
+  }
+  EXPECT_GE(files, 4);
+}
+
+}  // namespace
+}  // namespace poise
