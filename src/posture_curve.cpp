@@ -372,18 +372,20 @@ class Tracer {
     const auto near = [](double a, double b) {
       return std::abs(std::remainder(a - b, 2 * pi)) <= undecided;
     };
-    const auto& arcs = curve_.arcs;
-    std::vector<Arc> kept;
-    for (const Arc& arc : arcs) {
-      bool beside_gap = false, beside_arc = false;
-      for (const UnholdableArc& gap : curve_.unholdable_arcs)
-        beside_gap = beside_gap || near(gap.from, arc.to) || near(gap.to, arc.from);
-      for (const Arc& other : arcs)
-        beside_arc = beside_arc || (other.to - other.from > undecided &&
-                                    (near(other.from, arc.to) || near(other.to, arc.from)));
-      if (arc.to - arc.from > undecided || !beside_gap || !beside_arc) kept.push_back(arc);
-    }
-    curve_.arcs = std::move(kept);
+    const auto is_sliver = [](const Arc& arc) { return arc.to - arc.from <= undecided; };
+    const auto between = [&](const Arc& arc) {
+      const auto beside = [&](const auto& piece) {
+        return near(piece.from, arc.to) || near(piece.to, arc.from);
+      };
+      return std::any_of(curve_.unholdable_arcs.begin(), curve_.unholdable_arcs.end(), beside) &&
+             std::any_of(curve_.arcs.begin(), curve_.arcs.end(),
+                         [&](const Arc& other) { return !is_sliver(other) && beside(other); });
+    };
+    std::vector<std::size_t> slivers;
+    for (std::size_t i = curve_.arcs.size(); i-- > 0;)
+      if (is_sliver(curve_.arcs[i]) && between(curve_.arcs[i])) slivers.push_back(i);
+    for (const std::size_t i : slivers)
+      curve_.arcs.erase(curve_.arcs.begin() + static_cast<std::ptrdiff_t>(i));
   }
 
   /// Single postures hold, if any, where unholdable arcs meet or the domain ends.

@@ -99,15 +99,17 @@ TEST(Readme, ProgramPrintsWhatItSays) {
   std::string printed;
   for (const Listing& listing : listings(root / "README.md")) {
     if (listing.language == "cpp") printed = output("'" POISE_README_PROGRAM "'");
-    if (listing.language == "text") EXPECT_EQ(printed, listing.text) << listing.place;
+    if (listing.language != "text") continue;
+    EXPECT_EQ(printed, listing.text) << listing.place;
   }
   EXPECT_NE(printed, "");
 }
 
 TEST(Readme, GraspFileIsTheExample) {
-  for (const Listing& listing : listings(root / "README.md"))
-    if (listing.language == "yaml")
-      EXPECT_EQ(listing.text, contents(root / "examples/l-part.yaml")) << listing.place;
+  for (const Listing& listing : listings(root / "README.md")) {
+    if (listing.language != "yaml") continue;
+    EXPECT_EQ(listing.text, contents(root / "examples/l-part.yaml")) << listing.place;
+  }
 }
 
 TEST(Documentation, GraspFilesLoad) {

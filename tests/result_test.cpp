@@ -250,7 +250,7 @@ TEST(ResultDocument, IsWrittenInReadableLines) {
   const Grasp<2> grasp = limited_disk();
   const std::string text = best_document(grasp, best_posture(grasp), {});
   std::size_t longest = 0, from = 0;
-  for (std::size_t at = 0; (at = text.find('\n', from)) != text.npos; from = at + 1)
+  for (std::size_t at = 0; (at = text.find('\n', from)) != std::string::npos; from = at + 1)
     longest = std::max(longest, at - from);
   EXPECT_LE(longest, 140U);
   EXPECT_EQ(Json::parse(text).dump(), Json::parse(Json::parse(text).dump(1)).dump());
