@@ -94,14 +94,17 @@ class Tracer {
     std::vector<Interval> open;
     open.reserve(16);
     open.push_back({from, to});
-    while (!open.empty()) {
+    // There are about 4 arcs for each contact; at the limit of holding, where rounding decides,
+    // there may be no end of them.
+    std::size_t probes = 64 * (scaled_.size + 16), fruitless = 200;
+    while (!open.empty() && probes-- > 0) {
       const auto [lo, hi] = open.back();
       open.pop_back();
       if (hi - lo <= same_angle) continue;
       const Interval piece = piece_at(lo + 0.4871 * (hi - lo), lo, hi);
-      // At the limit of holding, rounding decides: there may be no piece to be found.
-      const bool fruitless = piece.to == piece.from;
-      if (fruitless && (hi - lo < undecided || ++fruitless_probes_ > 1000)) continue;
+      const bool found = piece.to - piece.from > undecided;
+      if (!found && (hi - lo < undecided || fruitless == 0)) continue;
+      if (!found) --fruitless;
       open.push_back({lo, piece.from});
       open.push_back({piece.to, hi});
     }
@@ -445,7 +448,6 @@ class Tracer {
   const Grasp<2>& grasp_;
   const ScaledGrasp<2>& scaled_;
   double cap_;
-  int fruitless_probes_{0};
   dual::Point<2> point_;
   std::vector<ContactOnArc> contacts_;
   PostureCurve curve_;

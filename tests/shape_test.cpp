@@ -25,7 +25,7 @@ Polygon random_star(std::mt19937& random, std::size_t vertices) {
   for (std::size_t i = 0; i < vertices; ++i) {
     const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(vertices);
     polygon.vertices.emplace_back(middle +
-                               radius(random) * Vector<2>(std::cos(angle), std::sin(angle)));
+                                  radius(random) * Vector<2>(std::cos(angle), std::sin(angle)));
   }
   if (random() % 2 == 0) std::reverse(polygon.vertices.begin(), polygon.vertices.end());
   return polygon;

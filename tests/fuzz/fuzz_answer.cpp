@@ -235,7 +235,7 @@ void ask(const Question& q, const Grasp<2>& grasp, Decoder& decoder) {
     const double theta = decoder.angle();
     const Hold<2> cold = hold(grasp, up_at(theta), settings);
     judge.judge(cold, theta);
-    judge.judge(hold_document(grasp, theta, cold, settings));
+    if (k == 0) judge.judge(hold_document(grasp, theta, cold, settings));
     const Hold<2> warm = hold(grasp, grasp.load(up_at(theta)), y, settings);
     judge.judge(warm, theta);
     y = cold.dual;
