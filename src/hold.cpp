@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "dual.hpp"
@@ -73,7 +74,9 @@ Hold<2> solve(const Grasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
   const double weight = grasp.object().weight, square = weight * weight;
   hold.dual = about_origin(grasp, point.y);
   if (!hold.holdable) {
-    hold.lower_bound = square * dual::lower_bound(point);
+    // Finite for weights whose square nearly overflows, too.
+    hold.lower_bound =
+        std::min(square * dual::lower_bound(point), std::numeric_limits<double>::max());
     return hold;
   }
   hold.lower_bound = square * 2 * point.value;

@@ -148,11 +148,12 @@ Json shape_value(const Shape& shape) {
 
 /// The JSON text in one line; empty if it is too long for `width` characters.
 std::string one_line(const Json& value, std::size_t width) {
-  if (!value.is_structured()) return value.dump();
+  if (!value.is_structured()) return value.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string text = value.is_array() ? "[" : "{";
   for (auto part = value.begin(); part != value.end(); ++part) {
     if (part != value.begin()) text += ", ";
-    if (value.is_object()) text += Json(part.key()).dump() + ": ";
+    if (value.is_object())
+      text += Json(part.key()).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
     const std::string inside = text.size() < width ? one_line(*part, width - text.size()) : "";
     if (inside.empty()) return "";
     text += inside;
@@ -173,7 +174,8 @@ void write(const Json& value, std::size_t indent, std::string& text) {
   for (auto part = value.begin(); part != value.end(); ++part) {
     if (part != value.begin()) text += ",\n";
     text.append(indent + 2, ' ');
-    if (value.is_object()) text += Json(part.key()).dump() + ": ";
+    if (value.is_object())
+      text += Json(part.key()).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
     write(*part, indent + 2, text);
   }
   text += '\n' + std::string(indent, ' ') + (value.is_array() ? ']' : '}');
