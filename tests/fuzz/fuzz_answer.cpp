@@ -191,11 +191,10 @@ class Judge {
     // Of such inputs rounding may leave postures undecided; the tests ask the others for all.
     demand(covered <= domain.to - domain.from + 1e-5, "curve: no posture is covered twice",
            covered);
-    last = -infinity;
-    for (const Interval& part : curve.holdable) {
-      demand(part.from <= part.to && part.from >= last, "curve: holdable is in order", part.from);
-      last = part.to;
-    }
+    for (const Interval& part : curve.holdable)
+      demand(part.from >= -pi && part.from < pi && part.from <= part.to &&
+                 part.to <= part.from + 2 * pi,
+             "curve: a holdable interval", part.from);
     demand(curve.optima.empty() == curve.arcs.empty(), "curve: optima where it holds", 0);
     for (const Optimum& optimum : curve.optima) {
       demand(std::isfinite(optimum.effort), "curve: the effort of an optimum", optimum.angle);
