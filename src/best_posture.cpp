@@ -10,6 +10,8 @@
 namespace poise {
 namespace {
 
+constexpr double pi = 3.14159265358979323846;
+
 /// Where the edges meet on which two contacts press; none if they are parallel.
 std::optional<Vector<2>> meeting_point(const Grasp<2>& grasp, const Hold<2>& hold,
                                        const std::array<std::size_t, 2>& loaded) {
@@ -29,23 +31,46 @@ std::optional<Vector<2>> meeting_point(const Grasp<2>& grasp, const Hold<2>& hol
   return at[0] + cross(at[1] - at[0], edge[1]) / sine * edge[0];
 }
 
-/// The least that the arcs' own y prove: V on an arc is least at its ends or where it is flat.
-double lower_bound(const Grasp<2>& grasp, const PostureCurve& curve) {
-  const ScaledGrasp<2>& scaled = grasp.scaled();
+/// The least that y proves between two postures [weights^2]: 2 (y . w(theta) - phi(G^T y)), less
+/// what its rounding may be.
+double proven_between(const ScaledGrasp<2>& scaled, const Twist<2>& y, double from, double to) {
   dual::Point<2> point(scaled.size);
+  const double rounding = 1e-15 * y.cwiseAbs().sum();
+  const auto at = [&](double theta) {
+    const Vector<2> up = up_at(theta);
+    dual::evaluate<2>(scaled, Wrench<2>(up.x(), up.y(), 0), y, point);
+    return 2 * (point.value - rounding);
+  };
+  const double least = std::min(at(from), at(to));
+  // A sinusoid is least at its trough, if that is in between.
+  const double trough = std::atan2(-y[0], -y[1]);
+  return std::remainder(trough - (from + to) / 2, 2 * pi) * 2 < to - from &&
+                 std::remainder((from + to) / 2 - trough, 2 * pi) * 2 < to - from
+             ? std::min(least, at(trough))
+             : least;
+}
+
+/// The least that the arcs' own y prove, and those of the postures that rounding left undecided.
+double lower_bound(const Grasp<2>& grasp, const PostureCurve& curve, double force_cap) {
+  const ScaledGrasp<2>& scaled = grasp.scaled();
   double least = std::numeric_limits<double>::infinity();
   for (const Arc& arc : curve.arcs) {
+    // V on an arc is least at its ends or where it is flat.
     Roots angles = sign_changes(derivative(arc.V), arc.from, arc.to);
     angles.push_back(arc.from);
     angles.push_back(arc.to);
     for (const double theta : angles) {
       const Twist<2> y(arc.y[0](theta), arc.y[1](theta), arc.y[2](theta));
-      const Vector<2> up = up_at(theta);
-      dual::evaluate<2>(scaled, Wrench<2>(up.x(), up.y(), 0), about_com(grasp, y), point);
-      least = std::min(least, 2 * point.value);
+      least = std::min(least, proven_between(scaled, about_com(grasp, y), theta, theta));
     }
   }
-  return curve.arcs.empty() ? 0 : least * grasp.object().weight * grasp.object().weight;
+  for (const Interval& gap : curve.undecided) {
+    const Hold<2> middle = hold(grasp, up_at((gap.from + gap.to) / 2), {force_cap});
+    least =
+        std::min(least, proven_between(scaled, about_com(grasp, middle.dual), gap.from, gap.to));
+  }
+  if (curve.arcs.empty() && curve.undecided.empty()) return 0;
+  return std::max(least, 0.0) * grasp.object().weight * grasp.object().weight;
 }
 
 }  // namespace
@@ -90,7 +115,7 @@ BestPosture best_posture(const Grasp<2>& grasp, const CurveSettings& settings) {
     if (!best.pinched && pinched && optimum.kind != Kind::boundary)
       best.pinched = best.minima.size() - 1;
   }
-  best.lower_bound = lower_bound(grasp, best.curve);
+  best.lower_bound = lower_bound(grasp, best.curve, settings.force_cap);
   return best;
 }
 

@@ -74,6 +74,7 @@ Hold<2> solve(const Grasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
   const double weight = grasp.object().weight, square = weight * weight;
   hold.dual = about_origin(grasp, point.y);
   if (!hold.holdable) {
+    hold.proven = dual::lower_bound(point) > settings.force_cap * settings.force_cap;
     // Finite for weights whose square nearly overflows, too.
     hold.lower_bound =
         std::min(square * dual::lower_bound(point), std::numeric_limits<double>::max());
@@ -152,6 +153,10 @@ Manner manner(const Grasp<2>& grasp, const Vector<2>& up, const Hold<2>& hold) {
 
 std::string reason(const Grasp<2>& grasp, const Hold<2>& hold) {
   if (hold.holdable) return {};
+  if (!hold.proven)
+    return "it is within rounding of the limit of holding, where neither forces nor a proof that "
+           "there "
+           "are none were found";
   // -y is a motion that gravity drives; about the com, in radii, to tell a turn from a slide.
   const Twist<2> motion = -about_com(grasp, hold.dual);
   const Vector<2>& com = grasp.object().com;

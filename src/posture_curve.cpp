@@ -117,11 +117,10 @@ class Tracer {
     const bool holdable =
         dual::maximise<2>(scaled_, w, dual::cold_start<2>(scaled_, w), cap_, point_);
     Arc arc;
-    if (!holdable) {
-      unholdable_reach(w, reach);
-    } else if (!arc_at(at, reach, arc)) {
-      reach.least = reach.most = 0;
-    }
+    const bool decided =
+        holdable ? arc_at(at, reach, arc) : dual::lower_bound(point_) > cap_ * cap_;
+    if (!decided) return {at, at};
+    if (!holdable) unholdable_reach(w, reach);
     const Interval piece{std::max(lo, reach.from()), std::min(hi, reach.to())};
     if (!holdable) {
       curve_.unholdable_arcs.push_back({piece.from, piece.to, about_origin(grasp_, point_.y)});
@@ -368,6 +367,26 @@ class Tracer {
     order(curve_.arcs);
     drop_slivers();
     join_arcs(circle);
+    find_undecided(circle);
+  }
+
+  /// What of the domain is in no piece.
+  void find_undecided(bool circle) {
+    std::vector<Interval> pieces;
+    for (const Arc& arc : curve_.arcs) pieces.push_back({arc.from, arc.to});
+    for (const UnholdableArc& gap : curve_.unholdable_arcs) pieces.push_back({gap.from, gap.to});
+    std::sort(pieces.begin(), pieces.end(),
+              [](const Interval& a, const Interval& b) { return a.from < b.from; });
+    double reached = curve_.domain.from, end = curve_.domain.to;
+    if (circle && !pieces.empty()) {  // once around from the first piece to itself
+      reached = pieces.front().from;
+      end = reached + 2 * pi;
+    }
+    pieces.push_back({end, end});
+    for (const Interval& piece : pieces) {
+      if (piece.from - reached > undecided) curve_.undecided.push_back({reached, piece.from});
+      reached = std::max(reached, piece.to);
+    }
   }
 
   /// Where an arc gives way to unholdable postures, rounding may find slivers in between.

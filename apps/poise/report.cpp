@@ -138,8 +138,21 @@ std::string scope(const CurveSettings& settings) {
   return settings.domain == Domain::all ? "" : " outside the fork of the fingers";
 }
 
+/// What the answer does not know, if anything.
+std::string doubt(const PostureCurve& curve) {
+  if (curve.undecided.empty()) return {};
+  double sum = 0;
+  for (const Interval& part : curve.undecided) sum += part.to - part.from;
+  return "\n" + wrapped(fmt::format(
+                    "Not all is proven: rounding left {:.2g}° of postures undecided, near {}.",
+                    degrees(sum), degrees_text(curve.undecided.front().from)));
+}
+
 /// Why nothing in the domain can be held, in words.
-std::string nowhere(const Grasp<2>& grasp, const CurveSettings& settings) {
+std::string nowhere(const Grasp<2>& grasp, const PostureCurve& curve,
+                    const CurveSettings& settings) {
+  if (!curve.undecided.empty())
+    return "Found no posture" + scope(settings) + " in which it can be held.\n" + doubt(curve);
   const Interval domain = domain_interval(grasp, settings.domain);
   const double middle = (domain.from + domain.to) / 2;
   const Hold<2> there = hold(grasp, up_at(middle), {.force_cap = settings.force_cap});
@@ -233,7 +246,7 @@ std::string hold_report(const GraspFile& file, const Grasp<2>& grasp, double the
 std::string best_report(const GraspFile& file, const Grasp<2>& grasp, const BestPosture& best,
                         const CurveSettings& settings, const Style& style) {
   std::string text = title(file, style);
-  if (!best.holdable()) return text + nowhere(grasp, settings);
+  if (!best.holdable()) return text + nowhere(grasp, best.curve, settings);
 
   const PlanarPosture& lowest = best.best();
   const PlanarPosture* const pinched = best.best_pinched();
@@ -259,17 +272,18 @@ std::string best_report(const GraspFile& file, const Grasp<2>& grasp, const Best
     text +=
         heading("Forces at " + degrees_text(pinched->optimum.angle) + ", the best pinched", style) +
         forces_table(grasp, pinched->hold, style);
-  return text + "\nHoldable " + ranges_text(best.curve.holdable) + scope(settings) + ".\n";
+  return text + "\nHoldable " + ranges_text(best.curve.holdable) + scope(settings) + ".\n" +
+         doubt(best.curve);
 }
 
 std::string curve_report(const GraspFile& file, const Grasp<2>& grasp, const PostureCurve& curve,
                          const CurveSettings& settings, const Style& style) {
   std::string text = title(file, style);
-  if (curve.holdable.empty()) return text + nowhere(grasp, settings);
+  if (curve.holdable.empty()) return text + nowhere(grasp, curve, settings);
   std::vector<PlanarPosture> optima;
   for (const Optimum& optimum : curve.optima)
     optima.push_back(posture_at(grasp, optimum, settings));
-  text += "Holdable " + ranges_text(curve.holdable) + scope(settings) + ".\n";
+  text += "Holdable " + ranges_text(curve.holdable) + scope(settings) + ".\n" + doubt(curve);
   text += heading("Minima, lowest first, then maxima, highest first", style) +
           optima_table(grasp, optima, true, style);
 

@@ -37,6 +37,9 @@ struct HoldSettings {
 template <int Dim>
 struct Hold {
   bool holdable{false};
+  /// Where unholdable: whether lower_bound is above the cap. Within rounding of the limit of
+  /// holding there may be neither forces nor a proof.
+  bool proven{true};
   double effort{0};  ///< V = sum |f_i|^2 / share_i [N^2]; 0 where unholdable
   /// Optimal dual y, a twist about the object frame's origin [N, N/m].
   /// Proof: V >= lower_bound = 2 (y . w - phi(G^T y)) for every force that balances w. Where

@@ -78,6 +78,9 @@ struct PostureCurve {
   std::vector<ArcState> states;  ///< of all arcs, contact by contact; see Arc::first_state
   std::vector<UnholdableArc> unholdable_arcs;
   std::vector<Interval> holdable;  ///< closed; a single posture is [x, x]
+  /// Where rounding left more than 1e-8 rad undecided: neither an arc nor proven unholdable. Empty
+  /// unless the grasp is nearly degenerate. Angles as in `arcs`.
+  std::vector<Interval> undecided;
   /// Minima by effort, lowest first (ties within 1e-9: least |angle|, then the positive), then
   /// maxima by effort, highest first.
   std::vector<Optimum> optima;

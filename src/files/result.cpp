@@ -240,7 +240,7 @@ std::string best_document(const Grasp<2>& grasp, const BestPosture& best,
   Json result = document("best", options(settings));
   const bool holdable = best.holdable();
   const PlanarPosture* pinched = best.best_pinched();
-  result["status"] = holdable ? "optimal" : "unholdable";
+  result["status"] = !best.optimal() ? "gap" : holdable ? "optimal" : "unholdable";
   result["best"] = holdable ? optimum(grasp, best.best()) : Json();
   result["best_pinched"] = pinched ? optimum(grasp, *pinched) : Json();
   result["minima"] = Json::array();

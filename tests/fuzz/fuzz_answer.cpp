@@ -153,6 +153,9 @@ class Judge {
     demand(std::isfinite(hold.effort) && hold.effort >= 0, "hold: effort is finite", at);
     if (!hold.holdable) {
       demand(hold.forces.empty() && hold.effort == 0, "hold: the unholdable has no forces", at);
+      demand(
+          !hold.proven || hold.lower_bound >= cap * cap * (1 - 1e-9) || !std::isfinite(cap * cap),
+          "hold: what is called proven is", at);
       demand(!reason(grasp_, hold).empty(), "hold: the unholdable has a reason", at);
       return;
     }
@@ -188,9 +191,9 @@ class Judge {
       demand(gap.y.allFinite(), "curve: the proof is finite", gap.from);
       covered += gap.to - gap.from;
     }
-    // Of such inputs rounding may leave postures undecided; the tests ask the others for all.
-    demand(covered <= domain.to - domain.from + 1e-5, "curve: no posture is covered twice",
-           covered);
+    for (const Interval& part : curve.undecided) covered += part.to - part.from;
+    demand(std::abs(covered - (domain.to - domain.from)) <= 1e-5,
+           "curve: arcs, unholdable arcs and the undecided cover the domain", covered);
     for (const Interval& part : curve.holdable)
       demand(part.from >= -pi && part.from < pi && part.from <= part.to &&
                  part.to <= part.from + 2 * pi,
