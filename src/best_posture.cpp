@@ -38,7 +38,7 @@ double proven_between(const ScaledGrasp<2>& scaled, const Twist<2>& y, double fr
   const double rounding = 1e-15 * y.cwiseAbs().sum();
   const auto at = [&](double theta) {
     const Vector<2> up = up_at(theta);
-    dual::evaluate<2>(scaled, Wrench<2>(up.x(), up.y(), 0), y, point);
+    dual::evaluate<2, double>(scaled, Wrench<2>(up.x(), up.y(), 0), y, point);
     return 2 * (point.value - rounding);
   };
   const double least = std::min(at(from), at(to));

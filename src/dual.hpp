@@ -14,32 +14,37 @@ namespace poise::dual {
 /// The balance tolerance: force / W and moment / (W L).
 inline constexpr double delta = 1e-12;
 
-template <int Dim>
-using Square = Eigen::Matrix<double, wrench_size<Dim>, wrench_size<Dim>>;
+/// A wrench or a twist: a screw.
+template <int Dim, class T>
+using Screw = Eigen::Matrix<T, wrench_size<Dim>, 1>;
+template <int Dim, class T>
+using Square = Eigen::Matrix<T, wrench_size<Dim>, wrench_size<Dim>>;
 
 /// z = Gᵀy and f = Π_K(z) of the contacts of one lane.
-template <int Dim>
+template <int Dim, class T>
 struct LaneForces {
-  Lane z[Dim], f[Dim];
+  LaneOf<T> z[Dim], f[Dim];
 };
 
 /// The dual function at y.
-template <int Dim>
+template <int Dim, class T = double>
 struct Point {
-  explicit Point(std::size_t contacts) : lanes((contacts + lane_size - 1) / lane_size) {}
+  static constexpr std::size_t lane = lane_size_of<T>;
 
-  Vector<Dim> z(std::size_t i) const { return at(i, lanes[i / lane_size].z); }
-  Vector<Dim> f(std::size_t i) const { return at(i, lanes[i / lane_size].f); }
+  explicit Point(std::size_t contacts) : lanes((contacts + lane - 1) / lane) {}
 
-  Twist<Dim> y;
-  SmallVector<LaneForces<Dim>, 16 / lane_size> lanes;
-  double value;          ///< yᵀw − φ(Gᵀy): half a lower bound on the effort
-  Wrench<Dim> residual;  ///< w − G f: the gradient
+  Eigen::Matrix<T, Dim, 1> z(std::size_t i) const { return at(i, lanes[i / lane].z); }
+  Eigen::Matrix<T, Dim, 1> f(std::size_t i) const { return at(i, lanes[i / lane].f); }
+
+  Screw<Dim, T> y;
+  SmallVector<LaneForces<Dim, T>, 16 / lane> lanes;
+  T value;               ///< yᵀw − φ(Gᵀy): half a lower bound on the effort
+  Screw<Dim, T> residual;  ///< w − G f: the gradient
 
  private:
-  static Vector<Dim> at(std::size_t i, const Lane (&lane)[Dim]) {
-    Vector<Dim> v;
-    for (int k = 0; k < Dim; ++k) v[k] = lane[k][i % lane_size];
+  static Eigen::Matrix<T, Dim, 1> at(std::size_t i, const LaneOf<T> (&of)[Dim]) {
+    Eigen::Matrix<T, Dim, 1> v;
+    for (int k = 0; k < Dim; ++k) v[k] = element(of[k], i % lane);
     return v;
   }
 };
@@ -47,25 +52,36 @@ struct Point {
 /// The part of a contact's cone to which z projects: f = P z + f0 nearby.
 /// The planar cone {(n, t): |t| <= mu n, lo <= n <= hi} is a trapezoid; z projects to its inside,
 /// to an edge or to a corner.
+template <class T = double>
 struct Face {
-  Eigen::Matrix2d P;
-  Vector<2> f0;
+  Eigen::Matrix<T, 2, 2> P;
+  Eigen::Matrix<T, 2, 1> f0;
   bool edge;          ///< of the friction cone: |t| = mu n
   bool at_lo, at_hi;  ///< at a limit of the normal force; the apex is edge and at_lo
   double sign;        ///< of the edge: t = sign mu n
 };
 /// The contact's columns of G, as the solver scales them.
-Eigen::Matrix<double, 3, 2> columns(const ScaledGrasp<2>& grasp, std::size_t contact);
-Face face(const ScaledGrasp<2>& grasp, std::size_t contact, const Vector<2>& z);
+template <class T>
+Eigen::Matrix<T, 3, 2> columns(const Cones<2, T>& cones, std::size_t contact);
+/// edge: 1 / (1 + mu^2).
+template <class T>
+Face<T> face(const T& mu, const T& edge, const T& lo, const T& hi,
+             const Eigen::Matrix<T, 2, 1>& z);
+template <class T>
+Face<T> face(const Cones<2, T>& cones, std::size_t contact, const Eigen::Matrix<T, 2, 1>& z) {
+  const ContactLane<2, T>& c = cones.lanes[contact / lane_size_of<T>];
+  const std::size_t k = contact % lane_size_of<T>;
+  return face<T>(element(c.mu, k), element(c.edge, k), element(c.lo, k), element(c.hi, k), z);
+}
 
 /// Evaluates the dual function of load w at y.
-template <int Dim>
-void evaluate(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& y,
-              Point<Dim>& point);
+template <int Dim, class T>
+void evaluate(const Cones<Dim, T>& cones, const Screw<Dim, T>& w, const Screw<Dim, T>& y,
+              Point<Dim, T>& point);
 
 /// 2 (value − delta (|v| + |omega|)): what any force that balances w within delta must cost.
-template <int Dim>
-double lower_bound(const Point<Dim>& point);
+template <int Dim, class T>
+T lower_bound(const Point<Dim, T>& point);
 
 /// Where to start without a y of a load nearby.
 template <int Dim>
@@ -77,5 +93,11 @@ Twist<Dim> cold_start(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w);
 template <int Dim>
 bool maximise(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& start,
               double force_cap, Point<Dim>& point);
+
+/// The same in wider numbers, for where rounding of doubles leaves it open: True: point.f balances
+/// w with at most the force cap. False: it cannot be held, and point.y tells w from what can be
+/// balanced.
+bool decide(const Cones<2, Wide>& cones, const Wrench<2>& w, double force_cap,
+            Point<2, Wide>& point);
 
 }  // namespace poise::dual

@@ -185,7 +185,7 @@ std::string reason(const Grasp<2>& grasp, const Hold<2>& hold) {
   for (std::size_t i = 0; i < scaled.size; ++i) {
     const Contact<2>& contact = grasp.contacts()[i];
     const Vector<2> z = contact_velocity(grasp, i, about_com(grasp, hold.dual));
-    const dual::Face face = dual::face(scaled, i, z);
+    const dual::Face<> face = dual::face<double>(scaled, i, z);
     weak = weak || (face.at_hi && contact.max_normal > 0);
     strong = strong || (face.at_lo && contact.min_normal > 0);
   }

@@ -1,16 +1,18 @@
 #include "scaled_grasp.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 namespace poise {
 
 template <>
 ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
-    : size(grasp.contacts().size()),
-      length(grasp.radius() > 0 ? grasp.radius() : 1),
-      per_weight(1 / grasp.object().weight),
-      lanes((size + lane_size - 1) / lane_size, ContactLane<2>{}) {
+    : length(grasp.radius() > 0 ? grasp.radius() : 1),
+      per_weight(1 / grasp.object().weight) {
+  size = grasp.contacts().size();
+  lanes.resize((size + lane_size - 1) / lane_size);
+  std::fill(lanes.begin(), lanes.end(), ContactLane<2>{});
   Eigen::Matrix3d GGt = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < size; ++i) {
     const Contact<2>& contact = grasp.contacts()[i];
@@ -38,6 +40,20 @@ ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
   const double least = 1e-14 * values.maxCoeff();
   for (double& value : values) value = value > least ? 1 / value : 0;
   inverse = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+Cones<2, Wide> widened(const Cones<2>& cones) {
+  Cones<2, Wide> wide{cones.size, cones.limited, {}};
+  wide.lanes.resize(cones.size);
+  for (std::size_t i = 0; i < cones.size; ++i) {
+    const ContactLane<2>& c = cones.lanes[i / lane_size];
+    const std::size_t k = i % lane_size;
+    ContactLane<2, Wide>& w = wide.lanes[i];
+    w = {c.nx[k], c.ny[k], c.jx[k], c.jy[k], 0, c.mu[k], 0, c.lo[k], c.hi[k]};
+    w.share = w.nx * w.nx + w.ny * w.ny;
+    w.edge = 1 / (1 + w.mu * w.mu);
+  }
+  return wide;
 }
 
 }  // namespace poise

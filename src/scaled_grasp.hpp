@@ -4,42 +4,65 @@
 // contact divided by sqrt(share), so that the effort is |f|^2 and the share appears nowhere else.
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "poise/grasp.hpp"
+#include "poise/small_vector.hpp"
+#include "wide.hpp"
 
 namespace poise {
 
-/// Two contacts at a time: what GCC and Clang turn into SIMD instructions on every machine.
+/// Contacts are dealt with in lanes: of doubles two at a time, what GCC and Clang turn into SIMD
+/// instructions on every machine; of other numbers one.
 using Lane = double __attribute__((vector_size(16)));
-inline constexpr std::size_t lane_size = 2;
+template <class T>
+using LaneOf = std::conditional_t<std::is_same_v<T, double>, Lane, T>;
+template <class T>
+inline constexpr std::size_t lane_size_of = std::is_same_v<T, double> ? 2 : 1;
+inline constexpr std::size_t lane_size = lane_size_of<double>;
 
-/// As many contacts as a Lane holds; an odd last one is filled up by a contact that carries
+/// Element k of a lane.
+inline double element(const Lane& lane, std::size_t k) { return lane[k]; }
+template <class T>
+T element(const T& lane, std::size_t /*only one*/) {
+  return lane;
+}
+
+/// As many contacts as a lane holds; an odd last one is filled up by a contact that carries
 /// nothing.
-template <int Dim>
+template <int Dim, class T = double>
 struct ContactLane;
 
-template <>
-struct ContactLane<2> {
-  Lane nx, ny;  ///< inward normal, times sqrt(share)
-  Lane jx, jy;  ///< velocity of the contact point when the object turns about the com at 1 rad/s
-  Lane share;
-  Lane mu, edge;  ///< friction; 1 / (1 + mu^2), the squared normal part of the cone's unit edge
-  Lane lo, hi;    ///< limits of the normal force
+template <class T>
+struct ContactLane<2, T> {
+  LaneOf<T> nx, ny;  ///< inward normal, times sqrt(share)
+  LaneOf<T> jx, jy;  ///< velocity of the contact point: the object turns about the com at 1 rad/s
+  LaneOf<T> share;
+  LaneOf<T> mu, edge;  ///< friction; 1 / (1 + mu^2), squared normal part of the cone's unit edge
+  LaneOf<T> lo, hi;    ///< limits of the normal force
+};
+
+/// The contacts, in numbers of type T: the grasp matrix and the friction cones.
+template <int Dim, class T = double>
+struct Cones {
+  std::size_t size;     ///< contacts
+  bool limited{false};  ///< whether any contact has a force limit
+  SmallVector<ContactLane<Dim, T>, 16 / lane_size_of<T>> lanes;
 };
 
 template <int Dim>
-struct ScaledGrasp {
+struct ScaledGrasp : Cones<Dim> {
   explicit ScaledGrasp(const Grasp<Dim>& grasp);
 
-  std::size_t size;     ///< contacts
-  double length;        ///< L [m], or 1 where every contact is at the centre of mass
-  double per_weight;    ///< 1 / W [1/N]
-  bool limited{false};  ///< whether any contact has a force limit
-  std::vector<ContactLane<Dim>> lanes;
+  double length;      ///< L [m], or 1 where every contact is at the centre of mass
+  double per_weight;  ///< 1 / W [1/N]
   std::vector<double> unit;  ///< of each contact's forces: W sqrt(share) [N]
-  /// Pseudo-inverse of G Gᵀ: the dual of a load while no contact is at the border of its cone.
+  /// Pseudo-inverse of G G^T: the dual of a load while no contact is at the border of its cone.
   Eigen::Matrix<double, wrench_size<Dim>, wrench_size<Dim>> inverse;
 };
+
+/// The same contacts in wider numbers.
+Cones<2, Wide> widened(const Cones<2>& cones);
 
 }  // namespace poise

@@ -1,0 +1,220 @@
+#include "arc.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <type_traits>
+
+namespace poise {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// A few units in the last place of 1.
+template <class T>
+constexpr double rounding_of = std::is_same_v<T, double> ? 4e-15 : 1e-30;
+
+}  // namespace
+
+Reach::Reach(double theta) : at(theta), cosine(std::cos(theta)), sine(std::sin(theta)) {}
+
+void Reach::keep(const Eigen::RowVector3d& g, double rounding) {
+  const double least_g = g[0] + rounding;
+  if (least_g >= 0 && least_g * least_g >= g[1] * g[1] + g[2] * g[2]) return;
+  const double along = g[1] * cosine + g[2] * sine, half = g[2] * cosine - g[1] * sine;
+  const double here = std::max(g[0] + along, 0.0), far = g[0] - along;
+  // here + 2 half t + far t^2 = 0
+  const double square = half * half - here * far;
+  if (square < 0) return;
+  const double sum = -(half + std::copysign(std::sqrt(square), half));
+  const double one = sum / far, other = here / sum;
+  for (const double t : {one, other}) {
+    if (t > 0) most = std::min(most, t);
+    if (t < 0) least = std::max(least, t);
+  }
+  if (here == 0) (half > 0 ? least : most) = 0;  // but for rounding, only one side is open
+}
+
+void Reach::stop(double angle) {
+  const double t = std::tan(std::remainder(angle - at, 2 * pi) / 2);
+  (t < 0 ? least : most) = t < 0 ? std::max(least, t) : std::min(most, t);
+}
+
+template <class T>
+ArcSolver<T>::ArcSolver(const Cones<2, T>& cones) : contacts_(cones.size) {
+  for (std::size_t i = 0; i < cones.size; ++i) {
+    const ContactLane<2, T>& c = cones.lanes[i / lane_size_of<T>];
+    const std::size_t k = i % lane_size_of<T>;
+    Contact& contact = contacts_[i];
+    contact.G = dual::columns<T>(cones, i);
+    contact.mu = element(c.mu, k);
+    contact.edge = element(c.edge, k);
+    contact.lo = element(c.lo, k);
+    contact.hi = element(c.hi, k);
+  }
+}
+
+template <class T>
+bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc) {
+  using std::abs;
+  using std::sqrt;
+  dual::Square<2, T> M = dual::Square<2, T>::Zero();
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    Contact& contact = contacts_[i];
+    contact.face = dual::face(contact.mu, contact.edge, contact.lo, contact.hi, point.z(i));
+    M += contact.G * contact.face.P * contact.G.transpose();
+  }
+  // A turn about the com that no contact feels has no say in the forces (2 x 2 is left of M).
+  const bool free_turn = M(2, 2) <= 1e-26 * M.trace();
+  if (free_turn) {
+    M.row(2).setZero();
+    M.col(2).setZero();
+    M(2, 2) = M.trace();
+  }
+  dual::Screw<2, T> scale;
+  for (int k = 0; k < 3; ++k) {
+    if (!(M(k, k) > 0)) return false;
+    scale[k] = 1 / sqrt(M(k, k));
+  }
+  const dual::Square<2, T> scaled = scale.asDiagonal() * M * scale.asDiagonal();
+  const T pivot = 1 - scaled(0, 1) * scaled(0, 1);
+  const double singular = 2.5 * rounding_of<T>;
+  if (!(pivot > singular) || !(scaled.determinant() > singular * pivot)) return false;
+  const dual::Square<2, T> inverse = scale.asDiagonal() * scaled.inverse() * scale.asDiagonal();
+
+  // y and the forces, refined in the forces: see dual.cpp, polish.
+  Affine<3> Y = Affine<3>::Zero(), residual = Affine<3>::Zero();
+  residual(0, 2) = residual(1, 1) = 1;  // w
+  for (Contact& contact : contacts_) {
+    contact.F.setZero();
+    contact.F.col(0) = contact.face.f0;
+    residual.col(0) -= contact.G * contact.face.f0;
+  }
+  T largest_force = 1;
+  for (int round = 0; round < 4; ++round) {
+    if (free_turn) residual.row(2).setZero();
+    if (residual.cwiseAbs().maxCoeff() <= rounding_of<T> * largest_force) break;
+    const Affine<3> dY = inverse * residual;
+    Y += dY;
+    residual.setZero();
+    residual(0, 2) = residual(1, 1) = 1;
+    for (Contact& contact : contacts_) {
+      contact.F += contact.face.P * (contact.G.transpose() * dY);
+      // Exactly on the edge: what rounding adds beside it would be taken for a balance.
+      if (contact.face.edge) contact.F.row(1) = contact.face.sign * contact.mu * contact.F.row(0);
+      residual -= contact.G * contact.F;
+      largest_force = std::max(largest_force, contact.F.cwiseAbs().maxCoeff());
+    }
+  }
+  if (free_turn) Y.row(2) = turn_at(reach, Y);
+
+  const double rounding_f = 1e-12 * static_cast<double>(largest_force);
+  const double rounding_y = 1e-12 * static_cast<double>(Y.cwiseAbs().maxCoeff());
+  arc.V = {};
+  for (const Contact& contact : contacts_) {
+    for_each_condition(contact, Y, [&](const Row& g, bool of_force) {
+      reach.keep(g.template cast<double>(), of_force ? rounding_f : rounding_y);
+    });
+    const Eigen::Matrix<double, 2, 3> F = contact.F.template cast<double>();
+    for (int k = 0; k < 2; ++k) {
+      const double a = F(k, 0), b = F(k, 1), c = F(k, 2);
+      arc.V.c0 += a * a + (b * b + c * c) / 2;
+      arc.V.cos1 += 2 * a * b;
+      arc.V.sin1 += 2 * a * c;
+      arc.V.cos2 += (b * b - c * c) / 2;
+      arc.V.sin2 += b * c;
+    }
+  }
+  for (int k = 0; k < 3; ++k)
+    arc.y[static_cast<std::size_t>(k)] = {static_cast<double>(Y(k, 0)),
+                                          static_cast<double>(Y(k, 1)),
+                                          static_cast<double>(Y(k, 2))};
+  return true;
+}
+
+/// Calls f(g, of_force) for each g(theta) >= 0 that keeps a contact on its face: that the force
+/// stays on it, and that z stays over it.
+template <class T>
+template <class Function>
+void ArcSolver<T>::for_each_condition(const Contact& contact, const Affine<3>& Y,
+                                      const Function& f) const {
+  const auto& [G, mu, edge, lo, hi, face, F] = contact;
+  const bool free = !face.at_lo && !face.at_hi;
+  const auto constant = [](const T& value) { return Row(value, 0, 0); };
+  const Affine<2> Z = G.transpose() * Y;
+  const Row n = F.row(0), t = F.row(1), zn = Z.row(0), side = T(face.sign) * Z.row(1);
+  const Row along = face.edge ? Row((zn + mu * side) * edge) : zn;
+  if (face.edge && face.at_lo && lo == 0) {  // the apex
+    f(-along, false);
+    if (mu > 0) f(mu * side - zn, false);
+    return;
+  }
+  if (face.at_lo) f(constant(lo) - along, false);
+  if (face.at_hi) f(along - constant(hi), false);
+  if (free && (face.edge || lo > 0)) f(n - constant(lo), true);
+  if (free && hi < std::numeric_limits<double>::max()) f(constant(hi) - n, true);
+  if (face.edge && mu > 0) f(side - mu * (free ? zn : n), false);
+  if (!face.edge) {
+    f(mu * n - t, true);
+    f(mu * n + t, true);
+  }
+}
+
+/// The angular velocity that no loaded contact feels: 0, or what the others allow at the posture,
+/// at the end of their range.
+template <class T>
+typename ArcSolver<T>::Row ArcSolver<T>::turn_at(const Reach& reach, const Affine<3>& Y) const {
+  const Eigen::Matrix<T, 3, 1> here(1, reach.cosine, reach.sine);
+  Affine<3> still = Y, turning = Y;
+  still.row(2).setZero();
+  turning.row(2) << 1, 0, 0;
+  T least = -std::numeric_limits<double>::infinity(), most = -least;
+  Row at_least = Row::Zero(), at_most = Row::Zero();
+  for (const Contact& contact : contacts_) {
+    std::vector<Row> base, both;  // conditions at angular velocity 0 and 1
+    for_each_condition(contact, still, [&](const Row& g, bool of_force) {
+      if (!of_force) base.push_back(g);
+    });
+    for_each_condition(contact, turning, [&](const Row& g, bool of_force) {
+      if (!of_force) both.push_back(g);
+    });
+    for (std::size_t k = 0; k < base.size(); ++k) {
+      const T rate = both[k][0] - base[k][0];
+      using std::abs;
+      if (abs(rate) <= 1e-12) continue;
+      const Row end = -base[k] / rate;
+      const T omega = end.dot(here.transpose());
+      if (rate > 0 && omega > least) {
+        least = omega;
+        at_least = end;
+      } else if (rate < 0 && omega < most) {
+        most = omega;
+        at_most = end;
+      }
+    }
+  }
+  if (least > 0) return at_least;
+  if (most < 0) return at_most;
+  return Row::Zero();
+}
+
+template <class T>
+ArcState ArcSolver<T>::state(std::size_t i) const {
+  const Contact& contact = contacts_[i];
+  const Row n = contact.F.row(0), t = contact.F.row(1), most = contact.mu * n;
+  const auto vanishes = [](const Row& g) { return g.cwiseAbs().maxCoeff() <= 1e-9; };
+  const auto at = [&](const T& limit) {
+    return limit < std::numeric_limits<double>::max() && vanishes(n - Row(limit, 0, 0));
+  };
+  const bool slips = contact.face.edge || vanishes(most - t) || vanishes(most + t);
+  return {vanishes(n) ? ContactState::unloaded
+          : slips     ? ContactState::slipping
+                      : ContactState::sticking,
+          at(contact.hi)                       ? ForceLimit::max
+          : contact.lo > 0 && at(contact.lo) ? ForceLimit::min
+                                               : ForceLimit::none};
+}
+
+template class ArcSolver<double>;
+template class ArcSolver<Wide>;
+
+}  // namespace poise
