@@ -9,9 +9,11 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// A few units in the last place of 1.
+/// A few units in the last place of 1; what is as good as singular.
 template <class T>
 constexpr double rounding_of = std::is_same_v<T, double> ? 4e-15 : 1e-30;
+template <class T>
+constexpr double singular = std::is_same_v<T, double> ? 1e-10 : 1e-28;
 
 }  // namespace
 
@@ -77,8 +79,7 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
   }
   const dual::Square<2, T> scaled = scale.asDiagonal() * M * scale.asDiagonal();
   const T pivot = 1 - scaled(0, 1) * scaled(0, 1);
-  const double singular = 2.5 * rounding_of<T>;
-  if (!(pivot > singular) || !(scaled.determinant() > singular * pivot)) return false;
+  if (!(pivot > singular<T>) || !(scaled.determinant() > singular<T> * pivot)) return false;
   const dual::Square<2, T> inverse = scale.asDiagonal() * scaled.inverse() * scale.asDiagonal();
 
   // y and the forces, refined in the forces: see dual.cpp, polish.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace poise::dual {
@@ -315,7 +316,7 @@ Rise prove(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim, 
   evaluate<Dim, T>(grasp, w, T(2e-3 / rounding_of<T>) * d, far);
   const T rise = far.residual.dot(d) - delta;
   if (rise <= 0) return Rise::none;
-  evaluate<Dim, T>(grasp, w, y + 2 * force_cap * force_cap / rise * d, far);
+  evaluate<Dim, T>(grasp, w, y + 0.55 * force_cap * force_cap / rise * d, far);
   // Others may round G^T y otherwise: then it must still be a proof.
   const T rounding = rounding_of<T> * length<Dim, T>(far.y);
   const T doubt = rounding * rounding * static_cast<double>(grasp.size);
@@ -451,12 +452,20 @@ bool decide(const Cones<2, Wide>& cones, const Wrench<2>& w, double force_cap,
   const Screw<2, Wide> load = w.cast<Wide>();
   point.y.setZero();
   // A pull towards y = 0 that fades away: y is bounded whether w can be held or not.
-  constexpr double infinity = std::numeric_limits<double>::infinity(), last = 1e-26;
-  for (double rho = 1e-6; rho > last / 2; rho *= 1e-5)
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::optional<Point<2, Wide>> within;  // the first, with the shortest y, that is within delta
+  for (double rho = 1e-6; rho > 1e-27; rho *= 1e-5) {
     ascend<2, Wide>(cones, load, Screw<2, Wide>(point.y), infinity, rho, point);
-  const bool balanced =
-      size<2, Wide>(point.residual + Wide(last) * point.y) <= delta / 2;
-  if (balanced) return squared_norm(point) <= force_cap * force_cap;
+    const Wide missing = size<2, Wide>(point.residual + Wide(rho) * point.y);
+    if (missing <= delta && !within) within = point;
+    if (missing > 1e-3 * delta) continue;
+    within = point;
+    break;
+  }
+  if (within) {
+    point = *within;
+    return squared_norm(point) <= force_cap * force_cap;
+  }
   // y points from what can be balanced to w.
   const Screw<2, Wide> d = point.y / length<2, Wide>(point.y);
   prove<2, Wide>(cones, load, Screw<2, Wide>::Zero(), d, force_cap, point);

@@ -95,24 +95,40 @@ class Tracer {
 
   /// Around a posture where point_.y proves that nothing holds: where else it does.
   void unholdable_reach(const Wrench<2>& w, Reach& reach) {
-    Twist<2> y = point_.y;
-    const double value = point_.value, bound = dual::lower_bound(point_) - (1 + 1e-6) * cap_ * cap_;
-    // A y that proves more the longer it is, proves it up to where gravity no longer drives it; too
-    // long, and rounding in G^T y drowns it.
-    dual::evaluate<2, double>(scaled_, w, 1e3 * y, point_);
-    const bool ray = point_.value > 500 * value;
-    if (ray) y *= std::clamp(1e19 / y.norm(), 1.0, 1e8);
-    dual::evaluate<2, double>(scaled_, w, y, point_);
-    double limits = 0;  // what contacts at their limits add to phi; of a ray the rest is rounding
-    for (std::size_t i = 0; i < scaled_.size; ++i) {
-      const dual::Face<> face = dual::face<double>(scaled_, i, point_.z(i));
-      if (face.at_lo || face.at_hi) limits += point_.z(i).dot(point_.f(i));
+    double limits = 0;
+    bool ray = make_ray(limits);
+    if (!ray) {  // in truth, or by rounding
+      const dual::Point<2> narrow = point_;
+      dual::decide(in_wide_numbers().cones, w, cap_, wide_->point);
+      dual::evaluate<2, double>(scaled_, w, wide_->point.y.cast<double>(), point_);
+      if (!(dual::lower_bound(point_) > cap_ * cap_)) point_ = narrow;
+      ray = make_ray(limits);
     }
+    const Twist<2>& y = point_.y;
+    const double bound = dual::lower_bound(point_) - (1 + 1e-6) * cap_ * cap_;
     const Eigen::RowVector3d g(ray ? -limits : bound / 2 - y.dot(w), y[1], y[0]);
     reach.keep(g, 0);
     // It may prove all postures but one.
     const double size = std::hypot(g[1], g[2]);
     if (std::abs(g[0] - size) <= 1e-9 * size) reach.stop(std::atan2(-g[2], -g[1]));
+  }
+
+  /// Whether the y of point_ proves more the longer it is, up to where gravity no longer drives it.
+  /// Then it is made so long that contacts which do not press by more than rounding show, and
+  /// `limits` is what those at a limit of their force add to phi.
+  bool make_ray(double& limits) {
+    const Twist<2> y = point_.y * std::clamp(1e19 / point_.y.norm(), 1.0, 1e8);
+    dual::Point<2> far(scaled_.size);
+    dual::evaluate<2, double>(scaled_, Wrench<2>::Zero(), y, far);
+    limits = 0;
+    for (std::size_t i = 0; i < scaled_.size; ++i) {
+      const dual::Face<> face = dual::face<double>(scaled_, i, far.z(i));
+      if (face.at_lo || face.at_hi) limits += far.z(i).dot(far.f(i));
+    }
+    const double rounding = 2e-15 * y.norm();
+    if (-far.value - limits > rounding * rounding * static_cast<double>(scaled_.size)) return false;
+    point_ = far;
+    return true;
   }
 
   /// The arc around a posture that holds, and its states.
@@ -124,8 +140,7 @@ class Tracer {
       return true;
     };
     if (!solve_with(solver_, point_)) {  // nearly degenerate faces
-      if (!wide_) wide_.emplace(scaled_);
-      dual::decide(wide_->cones, w, cap_, wide_->point);
+      dual::decide(in_wide_numbers().cones, w, cap_, wide_->point);
       if (!solve_with(wide_->solver, wide_->point)) return false;
     }
     const double weight = grasp_.object().weight, square = weight * weight;
@@ -218,11 +233,18 @@ class Tracer {
              std::any_of(curve_.arcs.begin(), curve_.arcs.end(),
                          [&](const Arc& other) { return !is_sliver(other) && beside(other); });
     };
-    std::vector<std::size_t> slivers;
-    for (std::size_t i = curve_.arcs.size(); i-- > 0;)
-      if (is_sliver(curve_.arcs[i]) && between(curve_.arcs[i])) slivers.push_back(i);
-    for (const std::size_t i : slivers)
-      curve_.arcs.erase(curve_.arcs.begin() + static_cast<std::ptrdiff_t>(i));
+    std::vector<Arc> kept;
+    for (const Arc& arc : curve_.arcs)
+      if (!is_sliver(arc) || !between(arc)) kept.push_back(arc);
+    if (kept.size() == curve_.arcs.size()) return;
+    std::vector<ArcState> states;
+    for (Arc& arc : kept) {
+      const auto first = curve_.states.begin() + static_cast<std::ptrdiff_t>(arc.first_state);
+      arc.first_state = states.size();
+      states.insert(states.end(), first, first + static_cast<std::ptrdiff_t>(scaled_.size));
+    }
+    curve_.arcs = std::move(kept);
+    curve_.states = std::move(states);
   }
 
   /// Single postures hold, if any, where unholdable arcs meet or the domain ends.
@@ -291,6 +313,7 @@ class Tracer {
     dual::Point<2, Wide> point;
     ArcSolver<Wide> solver;
   };
+  InWideNumbers& in_wide_numbers() { return wide_ ? *wide_ : wide_.emplace(scaled_); }
   std::optional<InWideNumbers> wide_;  // made where rounding asks for it
   PostureCurve curve_;
 };

@@ -204,7 +204,9 @@ inline std::string fault(const Grasp<2>& grasp, const RealWrench& w, const Hold<
   }
   // The proof: its y loses as many digits as it is longer than the weight.
   const Real lost = std::max(Real{1}, norm / 1000);
-  const Real bound = dual_bound(grasp, w, hold.dual), small = 1e-15L * weight * weight;
+  // And what a balance within the tolerance may be worth to it.
+  const Real bound = dual_bound(grasp, w, hold.dual);
+  const Real small = 1e-15L * weight * weight + 2 * (bound - proven_effort(grasp, w, hold.dual));
   if (bound > effort * (1 + 1e-10L * lost) + small) return wrong("the dual bound", bound, effort);
   if (bound < effort * (1 - 1e-9L * lost) - small) return wrong("the dual bound", bound, effort);
   if (!close(bound, hold.lower_bound, 1e-10L * lost, small))

@@ -299,8 +299,32 @@ TEST(UndecidedPostures, AreNamedWhereSizesDifferTooMuch) {
 TEST(UndecidedPostures, AreNamedWhereTheCapIsTheForceNeeded) {
   const Grasp<2> grasp({}, {contact({0, 0}, {0, 1}, 1), contact({1, 0}, {0, 1}, 1)});
   const CurveSettings settings{Domain::all, 0.99999999994548672};
-  EXPECT_FALSE(best_posture(grasp, settings).optimal());
+  EXPECT_FALSE(best_posture(grasp, settings).optimal());  // each y proves 1e-5 rad
   expect_nothing_claimed_too_much(grasp, settings);
+}
+
+// Frictionless fingers against each other, next to one of friction 0.001: it takes 10^5 weights.
+TEST(UndecidedPostures, AreNoneWhereTheForcesAreHuge) {
+  const double inf = std::numeric_limits<double>::infinity(), c = 0.86602540378443837;
+  std::vector<Contact<2>> contacts{
+      contact({0, 1}, {0, -1}, 1.7327427834180247), contact({c, -0.5}, {-c, 0.5}, 0),
+      contact({-0.5, -c}, {0.5, c}, 0), contact({-c, 0.5}, {c, -0.5}, 0.001)};
+  contacts[1].min_normal = 0.33473076361674464;
+  contacts[2].max_normal = 0.90704878384236032;
+  contacts[3].min_normal = 0.13924058723372326;
+  contacts[3].max_normal = inf;
+  const Grasp<2> grasp({}, contacts);
+  const PostureCurve curve = posture_curve(grasp);
+  EXPECT_TRUE(curve.undecided.empty());
+  double largest = 0;
+  for (const Arc& arc : curve.arcs) {
+    const double middle = (arc.from + arc.to) / 2;
+    const Hold<2> held = hold(grasp, up_at(middle));
+    ASSERT_TRUE(held.holdable);
+    EXPECT_NEAR(arc.V(middle) / held.effort, 1, 1e-6);
+    largest = std::max(largest, std::sqrt(held.effort));
+  }
+  EXPECT_GT(largest, 1e5);
 }
 
 TEST(UndecidedPostures, AreNoneOfAnOrdinaryGrasp) {

@@ -151,7 +151,11 @@ RC_GTEST_PROP(PostureCurve, IsProvenByItsOwnDuals, ()) {
       const double theta = arc.from + part * (arc.to - arc.from), V = arc.V(theta);
       if (!moderate(grasp, V)) continue;
       const RealWrench w = load_at(grasp, theta);
-      RC_ASSERT(error(arc, theta, dual_bound(grasp, w, dual_at(arc, theta))) <= 1e-9L);
+      const Real bound = dual_bound(grasp, w, dual_at(arc, theta));
+      // What a balance within the tolerance may be worth to a long y.
+      const Real doubt = bound - proven_effort(grasp, w, dual_at(arc, theta));
+      RC_ASSERT(std::abs(bound - arc.V(theta)) <= 2 * doubt ||
+                error(arc, theta, bound) <= 1e-9L);
     }
 }
 
@@ -159,7 +163,7 @@ RC_GTEST_PROP(PostureCurve, ProvesThatItsUnholdableArcsAre, ()) {
   const Grasp<2> grasp = (*grasps()).grasp();
   const PostureCurve curve = posture_curve(grasp, random_settings());
   for (const UnholdableArc& arc : curve.unholdable_arcs) {
-    const double inset = 1e-6, length = arc.to - arc.from;
+    const double inset = 1e-7, length = arc.to - arc.from;
     if (length < 3 * inset) continue;
     for (const double theta : {arc.from + inset, arc.from + real(0.01, 0.99) * length,
                                arc.from + length / 2, arc.to - inset})
@@ -255,8 +259,12 @@ RC_GTEST_PROP(PostureCurve, HoldsBesideItsEndsAreProven, ()) {
   for (const Arc& arc : curve.arcs)
     for (const double end : {arc.from, arc.to}) {
       if (!moderate(grasp, arc.V(end))) continue;
-      for (const double step : {-1e-4, -1e-5, -1e-6, 1e-6, 1e-5, 1e-4})
-        RC_ASSERT(fault(grasp, end + step, hold(grasp, up_at(end + step))) == "");
+      for (const double step : {-1e-4, -1e-5, -1e-6, 1e-6, 1e-5, 1e-4}) {
+        const Hold<2> beside = hold(grasp, up_at(end + step));
+        // Too near for the digits of any y: then it is not claimed.
+        if (!beside.proven && std::abs(step) <= 1e-6) continue;
+        RC_ASSERT(fault(grasp, end + step, beside) == "");
+      }
     }
 }
 
@@ -373,8 +381,10 @@ RC_GTEST_PROP(Optima, AreHeldWithTheirEffort, ()) {
   for (const Optimum& optimum : curve.optima) {
     RC_ASSERT(optimum.angle > -pi && optimum.angle <= pi);
     if (!moderate(grasp, optimum.effort)) continue;
-    const Hold<2> found = hold(grasp, up_at(optimum.angle));
-    if (!found.holdable && optimum.kind == Kind::boundary) continue;  // missed by rounding
+    Hold<2> found = hold(grasp, up_at(optimum.angle));
+    for (const double off : {1e-9, -1e-9})  // an end may be missed by rounding
+      if (!found.holdable && optimum.kind == Kind::boundary)
+        found = hold(grasp, up_at(optimum.angle + off));
     RC_ASSERT(found.holdable);
     // At the end of the holdable set V may be as steep as it likes.
     RC_ASSERT(close(found.effort, optimum.effort, optimum.kind == Kind::boundary ? 1e-6L : 1e-9L,

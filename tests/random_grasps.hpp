@@ -53,8 +53,8 @@ inline bool one_in(int n) { return pick(1, n) == n; }
 inline double real(double from, double to) { return from + (to - from) * pick(0, 10000) / 10000; }
 /// In [-1, 1], shrinking towards 0.
 inline double coordinate() {
-  const int k = pick(0, 400), steps = (k + 1) / 2;
-  return (k % 2 == 0 ? steps : -steps) / 200.0;
+  const int k = pick(0, 20000), steps = (k + 1) / 2;
+  return (k % 2 == 0 ? steps : -steps) / 10000.0;
 }
 inline Vector<2> direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -66,7 +66,7 @@ inline double random_friction(bool awkward) {
     case 1:
       return 0;
     case 2:
-      return 0.02;
+      return 1e-3;
     case 3:
       return std::tan(pi / 12 * pick(1, 5));
     default:
