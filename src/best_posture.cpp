@@ -116,6 +116,7 @@ BestPosture best_posture(const Grasp<2>& grasp, const CurveSettings& settings) {
       best.pinched = best.minima.size() - 1;
   }
   best.lower_bound = lower_bound(grasp, best.curve, settings.force_cap);
+  if (best.holdable()) best.lower_bound = std::min(best.lower_bound, best.best().hold.effort);
   return best;
 }
 

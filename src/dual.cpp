@@ -457,7 +457,7 @@ bool decide(const Cones<2, Wide>& cones, const Wrench<2>& w, double force_cap,
   for (double rho = 1e-6; rho > 1e-27; rho *= 1e-5) {
     ascend<2, Wide>(cones, load, Screw<2, Wide>(point.y), infinity, rho, point);
     const Wide missing = size<2, Wide>(point.residual + Wide(rho) * point.y);
-    if (missing <= delta && !within) within = point;
+    if (missing <= 0.9 * delta && !within) within = point;
     if (missing > 1e-3 * delta) continue;
     within = point;
     break;

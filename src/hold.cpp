@@ -80,7 +80,6 @@ Hold<2> solve(const Grasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
         std::min(square * dual::lower_bound(point), std::numeric_limits<double>::max());
     return hold;
   }
-  hold.lower_bound = square * 2 * point.value;
   hold.residual = std::max(point.residual.head<2>().norm(),
                            grasp.radius() > 0 ? std::abs(point.residual[2]) : 0);
   hold.forces.resize(scaled.size);
@@ -94,6 +93,8 @@ Hold<2> solve(const Grasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
     if (scaled.limited) hold.forces[i].limit = limit_of(contact, hold.forces[i].normal, near);
   }
   hold.effort = square * effort;
+  // A long y may ask more for the load itself than for one within the balance tolerance.
+  hold.lower_bound = std::min(square * 2 * point.value, hold.effort);
   return hold;
 }
 
