@@ -175,8 +175,14 @@ TEST(PaperExact, CaseListIsTheGeneralSolver) {
     ASSERT_EQ(found.size(), expected.size())
         << "phi " << disk.phi << " mu " << disk.mu1 << " " << disk.mu2;
     for (std::size_t i = 0; i < found.size(); ++i) {
-      ASSERT_NEAR(found[i].angle, expected[i].theta, 1e-8);
-      ASSERT_NEAR(found[i].effort / expected[i].V, 1, 1e-8);
+      // Where V is steep it is no more exact than the angle.
+      const double at = expected[i].theta;
+      const double steep = std::max(disk.d1() > 0 ? std::abs(right.slope(at)) : 0,
+                                    disk.d2() > 0 ? std::abs(left.slope(at)) : 0);
+      const double off = std::abs(found[i].angle - at);
+      ASSERT_LT(off, 1e-8);
+      ASSERT_NEAR(found[i].effort, expected[i].V,
+                  1e-9 * expected[i].V + (2 * off + 1e-12) * steep);
       ASSERT_EQ(found[i].kind, expected[i].kind);
     }
   }
