@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "study/exact.hpp"
 #include "poise/best_posture.hpp"
+#include "study/exact.hpp"
 
 namespace poise::study {
 namespace {

@@ -61,22 +61,24 @@ double least_other_friction(double phi, double mu) {
 
 std::vector<Minimum> minima(const HeldDisk& disk) {
   const double end = disk.range(), W = disk.weight, b = theta_b(disk);
-  std::vector<Minimum> result;
-  // One contact right under the centre of mass carries all, and V falls towards it.
-  result.push_back({'a', -end, W * W, Kind::boundary});
   const bool first = disk.d1() > 0, second = disk.d2() > 0;
+  // One contact right under the centre of mass carries all, and V falls towards it.
+  const double alpha_end = W * disk.s() / std::sqrt(2.0);
+  std::vector<Minimum> result{{'a', -end, W * W, alpha_end, Kind::boundary}};
+  const auto add_b = [&](Kind kind) {
+    result.push_back(
+        {'b', b, first ? V_5(disk)(b) : V_6(disk)(b), alphas(disk, b)[first ? 4 : 5], kind});
+  };
   if (first && second) {
     if (rise_beyond_b(disk.phi, disk.mu1, disk.mu2) > 0 &&
         rise_beyond_b(disk.phi, disk.mu2, disk.mu1) > 0)
-      result.push_back({'b', b, V_5(disk)(b), Kind::kink});
+      add_b(Kind::kink);
   } else if (first) {  // holds from b to c, and at a alone
-    if (b < end && V_5(disk).slope(b) > 0)
-      result.push_back({'b', b, V_5(disk)(b), Kind::boundary});
+    if (b < end && V_5(disk).slope(b) > 0) add_b(Kind::boundary);
   } else if (second) {  // holds from a to b, and at c alone
-    if (b > -end && V_6(disk).slope(b) < 0)
-      result.push_back({'b', b, V_6(disk)(b), Kind::boundary});
+    if (b > -end && V_6(disk).slope(b) < 0) add_b(Kind::boundary);
   }
-  result.push_back({'c', end, W * W, Kind::boundary});
+  result.push_back({'c', end, W * W, alpha_end, Kind::boundary});
   return result;
 }
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "study/disk.hpp"
 #include "poise/posture_curve.hpp"
+#include "study/disk.hpp"
 
 namespace poise::study {
 
@@ -32,9 +32,10 @@ double least_other_friction(double phi, double mu);
 
 /// A local minimum of V over the closed range |theta| <= pi - phi.
 struct Minimum {
-  char name;  ///< 'a', 'b', 'c' of the paper
-  double theta;
-  double V;
+  char name;     ///< 'a', 'b', 'c' of the paper
+  double theta;  ///< [rad]
+  double V;      ///< [N^2]
+  double alpha;  ///< the internal force [N]
   Kind kind;
 };
 

@@ -162,7 +162,7 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
     std::string arguments, words;
   } usages[] = {
       {"", "A subcommand is required"},
-      {"hodl 4c.yaml", "unknown command 'hodl', must be check, hold, best or curve"},
+      {"hodl 4c.yaml", "unknown command 'hodl', must be check, hold, best, curve or paper"},
       {"best", "FILE is required"},
       {"best 4c.yaml 4c.yaml", "unexpected '4c.yaml', poise best takes one FILE"},
       {"best 4c.yaml hold", "unexpected 'hold'"},

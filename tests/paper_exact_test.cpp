@@ -53,7 +53,11 @@ struct Row {
 const std::vector<Row> table{
     {{.phi = pi / 3, .mu1 = root3, .mu2 = root3}, 0, 12.2474, 200, 1e-9},
     {{.phi = pi / 3, .mu1 = 1, .mu2 = 1}, 0, 26.3896, 746.4102, 5e-5},
-    {{.phi = pi / 3, .mu1 = 1 / root3 + 0.01, .mu2 = 1 / root3 + 0.01}, 0, 946.8915, 896653.56, 0.005},
+    {{.phi = pi / 3, .mu1 = 1 / root3 + 0.01, .mu2 = 1 / root3 + 0.01},
+     0,
+     946.8915,
+     896653.56,
+     0.005},
     {{.phi = 5 * pi / 12, .mu1 = 1, .mu2 = 1}, 0, 12.2474, 200, 1e-9},
     {{.phi = pi / 4, .mu1 = 1.01, .mu2 = 1.01}, 0, 1421.2846, 2020100, 0.05},
     {{.phi = 5 * pi / 12, .mu1 = 1, .mu2 = 1 / root3}, 30, 15.7830, 300, 1e-9},
@@ -119,7 +123,7 @@ TEST(PaperExact, BIsAMinimumWhereTheQuadraticSaysSo) {
     const double steep = std::abs(after) + std::abs(before);
     if (std::min(std::abs(after), std::abs(before)) < 1e-9 * steep) continue;
     EXPECT_EQ(after > 0, rise_beyond_b(disk.phi, disk.mu1, disk.mu2) > 0);
-    EXPECT_EQ(before < 0, rise_beyond_b(disk.phi, disk.mu2, disk.mu1) > 0);
+    EXPECT_EQ(before<0, rise_beyond_b(disk.phi, disk.mu2, disk.mu1)> 0);
     EXPECT_EQ(after > 0, disk.mu2 > least_other_friction(disk.phi, disk.mu1));
     EXPECT_GT(rise_beyond_b(disk.phi, std::min(disk.mu1, disk.mu2), std::max(disk.mu1, disk.mu2)),
               0);
@@ -181,8 +185,7 @@ TEST(PaperExact, CaseListIsTheGeneralSolver) {
                                     disk.d2() > 0 ? std::abs(left.slope(at)) : 0);
       const double off = std::abs(found[i].angle - at);
       ASSERT_LT(off, 1e-8);
-      ASSERT_NEAR(found[i].effort, expected[i].V,
-                  1e-9 * expected[i].V + (2 * off + 1e-12) * steep);
+      ASSERT_NEAR(found[i].effort, expected[i].V, 1e-9 * expected[i].V + (2 * off + 1e-12) * steep);
       ASSERT_EQ(found[i].kind, expected[i].kind);
     }
   }

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include "files/text.hpp"
 
@@ -47,6 +48,15 @@ double read_force_cap(const std::string& text) {
   return *cap;
 }
 
+/// A number of `paper`, at least (or, where `above`, above) 0 and at most `most`.
+double read_number(const char* flag, const std::string& text, bool above, double most) {
+  const auto value = parsed(text);
+  if (value && (above ? *value > 0 : *value >= 0) && *value <= most) return *value;
+  std::ostringstream range;
+  range << (above ? "above 0" : "at least 0") << " and at most " << most;
+  throw UsageError(std::string(flag) + ": " + quoted(text) + " must be a number " + range.str());
+}
+
 Domain read_domain(const std::string& text) {
   if (text == "all") return Domain::all;
   if (text == "pinched") return Domain::pinched;
@@ -70,7 +80,7 @@ struct Parser {
   CLI::App app{
       "How to turn a held object so that its fingers press least, and how hard they press."};
   Arguments arguments{};
-  std::optional<std::string> angle{}, up{}, domain{}, force_cap{};
+  std::optional<std::string> angle{}, up{}, domain{}, force_cap{}, phi{}, mu1{}, mu2{}, weight{};
 
   Parser() {
     app.name("poise");
@@ -105,26 +115,56 @@ struct Parser {
           ->type_name("N");
     curve->add_option("--plot", arguments.plot, "Draw the held object beside the curve")
         ->type_name("SVG");
+    add_paper();
+  }
+
+  void add_paper() {
+    CLI::App* const paper =
+        app.add_subcommand("paper", "The figures and findings of the paper that Poise comes from")
+            ->group("Commands");
+    paper->add_option("--out", arguments.paper.out, "The directory to write to")
+        ->type_name("DIR")
+        ->required();
+    paper
+        ->add_option("--phi", phi, "Also for a disk with contacts at PHI to either side of +y (75)")
+        ->type_name("DEG");
+    paper->add_option("--mu1", mu1, "and this friction on the right (1)")->type_name("MU");
+    paper->add_option("--mu2", mu2, "and on the left (0.57735)")->type_name("MU");
+    paper->add_option("--weight", weight, "The weight of all disks, in newtons (10)")
+        ->type_name("N");
+    add_json(paper);
+  }
+
+  void add_json(CLI::App* command) {
+    command->add_flag("--json", arguments.json, "Print one JSON document instead of tables")
+        ->disable_flag_override();
   }
 
   CLI::App* add(const std::string& name, const std::string& description) {
     CLI::App* const command = app.add_subcommand(name, description)->group("Commands");
     command->add_option("FILE", arguments.file, "The grasp file")->type_name("")->required();
-    command->add_flag("--json", arguments.json, "Print one JSON document instead of tables")
-        ->disable_flag_override();
+    add_json(command);
     return command;
   }
 
   void read_values() {
     const std::string& name = app.get_subcommands().front()->get_name();
-    arguments.command = name == "check"  ? Command::check
-                        : name == "hold" ? Command::hold
-                        : name == "best" ? Command::best
-                                         : Command::curve;
+    arguments.command = name == "check"   ? Command::check
+                        : name == "hold"  ? Command::hold
+                        : name == "best"  ? Command::best
+                        : name == "curve" ? Command::curve
+                                          : Command::paper;
     if (angle) arguments.angle_deg = read_angle(*angle);
     if (up) arguments.up = read_up(*up);
     if (domain) arguments.domain = read_domain(*domain);
     if (arguments.plot && arguments.plot->empty()) throw UsageError("--plot: '' is not a file");
+    PaperArguments& paper = arguments.paper;
+    if (arguments.command == Command::paper && paper.out.empty())
+      throw UsageError("--out: '' is not a directory");
+    if (phi) paper.phi_deg = read_number("--phi", *phi, true, 90);
+    if (mu1) paper.mu1 = read_number("--mu1", *mu1, false, 1e6);
+    if (mu2) paper.mu2 = read_number("--mu2", *mu2, false, 1e6);
+    if (weight) paper.weight = read_number("--weight", *weight, true, 1e9);
     if (force_cap) arguments.force_cap = read_force_cap(*force_cap);
   }
 
@@ -142,8 +182,10 @@ struct Parser {
       throw UsageError("unknown option " + shown(word) + ", " + full_name(command) + " knows " +
                        options_of(command));
     if (before)
-      throw UsageError("unknown command " + quoted(word) + ", must be check, hold, best or curve");
-    throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes one FILE");
+      throw UsageError("unknown command " + quoted(word) +
+                       ", must be check, hold, best, curve or paper");
+    throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
+                     (command.get_name() == "paper" ? "no FILE" : "one FILE"));
   }
 };
 

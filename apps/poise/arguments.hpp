@@ -10,7 +10,15 @@
 
 namespace poise {
 
-enum class Command { check, hold, best, curve };
+enum class Command { check, hold, best, curve, paper };
+
+/// What `paper` draws beside the paper's own figures; what is not given is that of Fig. 6.
+struct PaperArguments {
+  std::string out{};                ///< the directory to write to
+  std::optional<double> phi_deg{};  ///< above 0, at most 90
+  std::optional<double> mu1{}, mu2{};
+  double weight{10};  ///< [N]
+};
 
 struct Arguments {
   Command command{Command::check};
@@ -21,6 +29,7 @@ struct Arguments {
   std::optional<Domain> domain{};
   double force_cap{1e6};              ///< [weights]
   std::optional<std::string> plot{};  ///< the SVG file to draw
+  PaperArguments paper{};
 };
 
 /// A command line that makes no sense; what() says why and what would.

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "files/result.hpp"
+#include "paper.hpp"
 #include "picture.hpp"
 #include "plot.hpp"
 #include "report.hpp"
@@ -60,6 +61,8 @@ Answer answer_curve(const Arguments& arguments, const GraspFile& file, const Gra
 }  // namespace
 
 Answer answer(const Arguments& arguments) {
+  if (arguments.command == Command::paper)
+    return {paper(arguments.paper, arguments.json, style_of_output())};
   const GraspFile file = read_grasp_file(arguments.file);
   const Grasp<2> grasp = file.grasp();
   if (arguments.command == Command::check)

@@ -12,7 +12,7 @@ struct Answer {
   bool holds{true};  ///< whether the object can be held (somewhere)
 };
 
-/// @throws FileError for a bad grasp file, PlotError for a picture that cannot be drawn
+/// @throws FileError for a bad grasp file, OutputError for a picture that cannot be drawn
 Answer answer(const Arguments& arguments);
 
 }  // namespace poise

@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     complain(error.what());
   } catch (const poise::FileError& error) {
     complain(error.what());
-  } catch (const poise::PlotError& error) {
+  } catch (const poise::OutputError& error) {
     complain(error.what());
   } catch (const poise::InvalidGrasp& error) {
     complain(error.what());

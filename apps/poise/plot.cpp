@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& path, const std::string& what, int error) {
-  throw PlotError(path + ": " + what + ": " + std::generic_category().message(error));
+  throw OutputError(path + ": " + what + ": " + std::generic_category().message(error));
 }
 
 /// A file beside the target that becomes the target, or vanishes.
@@ -40,6 +41,16 @@ class Draft {
   }
 
   int file() const { return file_; }
+
+  /// Whether all of it arrived.
+  bool write(std::string_view text) const {
+    while (!text.empty()) {
+      const ssize_t written = ::write(file_, text.data(), text.size());
+      if (written < 0 && errno != EINTR) return false;
+      text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+    return true;
+  }
 
   /// Whether the end has arrived: gnuplot does not mind a full disk.
   bool is_whole() const {
@@ -71,33 +82,43 @@ int run_gnuplot(int in, int out) {
   const int error = posix_spawnp(&child, name, &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error == ENOENT)
-    throw PlotError("--plot needs gnuplot, which is not installed (Debian: gnuplot-nox)");
-  if (error != 0) throw PlotError("cannot run gnuplot: " + std::generic_category().message(error));
+    throw OutputError("drawing needs gnuplot, which is not installed (Debian: gnuplot-nox)");
+  if (error != 0)
+    throw OutputError("cannot run gnuplot: " + std::generic_category().message(error));
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw PlotError("lost gnuplot");
+    if (errno != EINTR) throw OutputError("lost gnuplot");
   return status;
+}
+
+/// The file to write to: a link stays a link.
+std::string target_of(const std::string& path) {
+  std::error_code none;
+  if (!fs::exists(path, none)) return path;
+  if (!fs::is_regular_file(path, none)) throw OutputError(path + ": is not a file to write to");
+  return fs::canonical(path, none).string();
 }
 
 }  // namespace
 
+void write_file(const std::string& text, const std::string& path) {
+  Draft draft(target_of(path));
+  if (!draft.write(text)) fail(path, "cannot be written", errno);
+  draft.publish();
+}
+
 void draw(const std::string& script, const std::string& path) {
-  std::error_code none;
-  std::string target = path;
-  if (fs::exists(path, none)) {
-    if (!fs::is_regular_file(path, none)) throw PlotError(path + ": is not a file to write to");
-    target = fs::canonical(path, none).string();  // keeps a link a link
-  }
+  const std::string target = target_of(path);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::tmpfile(), std::fclose);
   if (!in || std::fwrite(script.data(), 1, script.size(), in.get()) != script.size() ||
       std::fflush(in.get()) != 0)
-    throw PlotError("cannot write a temporary file: " + std::generic_category().message(errno));
+    throw OutputError("cannot write a temporary file: " + std::generic_category().message(errno));
   std::rewind(in.get());
 
   Draft draft(target);
   if (run_gnuplot(fileno(in.get()), draft.file()) != 0)
-    throw PlotError(path + ": gnuplot could not draw it");
-  if (!draft.is_whole()) throw PlotError(path + ": cannot be written whole");
+    throw OutputError(path + ": gnuplot could not draw it");
+  if (!draft.is_whole()) throw OutputError(path + ": cannot be written whole");
   draft.publish();
 }
 

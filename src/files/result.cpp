@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "files/json_text.hpp"
+
 namespace poise {
 namespace {
 
@@ -146,47 +148,6 @@ Json shape_value(const Shape& shape) {
   return {{"polygon", std::move(vertices)}};
 }
 
-/// The JSON text in one line; empty if it is too long for `width` characters.
-std::string one_line(const Json& value, std::size_t width) {
-  if (!value.is_structured()) return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string text = value.is_array() ? "[" : "{";
-  for (auto part = value.begin(); part != value.end(); ++part) {
-    if (part != value.begin()) text += ", ";
-    if (value.is_object())
-      text += Json(part.key()).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
-    const std::string inside = text.size() < width ? one_line(*part, width - text.size()) : "";
-    if (inside.empty()) return "";
-    text += inside;
-  }
-  text += value.is_array() ? "]" : "}";
-  return text.size() <= width ? text : "";
-}
-
-/// The JSON text, broken into lines only where it would be too long for one.
-void write(const Json& value, std::size_t indent, std::string& text) {
-  constexpr std::size_t width = 120;
-  const std::string line = one_line(value, indent < width ? width - indent : 1);
-  if (!line.empty() || value.empty()) {
-    text += line;
-    return;
-  }
-  text += value.is_array() ? "[\n" : "{\n";
-  for (auto part = value.begin(); part != value.end(); ++part) {
-    if (part != value.begin()) text += ",\n";
-    text.append(indent + 2, ' ');
-    if (value.is_object())
-      text += Json(part.key()).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
-    write(*part, indent + 2, text);
-  }
-  text += '\n' + std::string(indent, ' ') + (value.is_array() ? ']' : '}');
-}
-
-std::string written(const Json& value) {
-  std::string text;
-  write(value, 0, text);
-  return text + '\n';
-}
-
 }  // namespace
 
 double degrees(double radians) { return number(radians / (pi / 180)); }
@@ -221,7 +182,7 @@ std::string check_document(const GraspFile& file, const Grasp<2>& grasp) {
   const Interval cradled = cradled_wedge(grasp);
   result["cradled_deg"] = cradled.from < cradled.to ? list(cradled) : Json();
   result["warnings"] = file.warnings;
-  return written(result);
+  return json_text(result);
 }
 
 std::string hold_document(const Grasp<2>& grasp, double theta, const Hold<2>& hold,
@@ -232,7 +193,7 @@ std::string hold_document(const Grasp<2>& grasp, double theta, const Hold<2>& ho
   Json result = document("hold", std::move(options));
   add_hold(result, grasp, theta, hold);
   if (option.angle_deg) result["angle_deg"] = number(*option.angle_deg);  // to the last digit
-  return written(result);
+  return json_text(result);
 }
 
 std::string best_document(const Grasp<2>& grasp, const BestPosture& best,
@@ -256,7 +217,7 @@ std::string best_document(const Grasp<2>& grasp, const BestPosture& best,
   result["arcs"] = arcs(grasp, best.curve);
   result["unholdable_arcs"] = unholdable_arcs(best.curve);
   result["holdable_arcs_deg"] = holdable_arcs(best.curve);
-  return written(result);
+  return json_text(result);
 }
 
 std::string curve_document(const Grasp<2>& grasp, const PostureCurve& curve,
@@ -267,7 +228,7 @@ std::string curve_document(const Grasp<2>& grasp, const PostureCurve& curve,
     result["optima"].push_back(optimum(grasp, posture_at(grasp, each, settings), true));
   result["arcs"] = arcs(grasp, curve);
   result["holdable_arcs_deg"] = holdable_arcs(curve);
-  return written(result);
+  return json_text(result);
 }
 
 }  // namespace poise
