@@ -56,18 +56,19 @@ EllipseCounts count_ellipses(std::size_t ellipses, std::uint64_t seed) {
       continue;
     }
     const PlanarPosture& lowest = best.best();
-    if (lowest.manner == Manner::resting)
+    if (lowest.manner == Manner::resting) {
       ++counts.resting;
-    else if (lowest.optimum.kind == Kind::kink && lowest.two_slipping) {
-      ++counts.edges_meet;
-      if (lowest.manner == Manner::pinched) ++counts.edges_meet_pinched;
-    } else if (lowest.optimum.kind == Kind::smooth)
+    } else if (lowest.optimum.kind == Kind::smooth) {
       ++counts.smooth;
-    else
-      ++counts.other;
+    } else if (lowest.optimum.kind == Kind::boundary) {
+      ++counts.end;
+    } else {
+      ++counts.kink;
+      if (lowest.manner == Manner::pinched) ++counts.kink_pinched;
+    }
     if (const PlanarPosture* pinched = best.best_pinched()) {
       ++counts.pinched;
-      if (pinched->two_slipping) ++counts.pinched_where_edges_meet;
+      if (pinched->edges_meet) ++counts.pinched_where_edges_meet;
     }
   }
   return counts;

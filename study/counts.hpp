@@ -18,12 +18,12 @@ DiskCounts count_disks(std::size_t disks, std::uint64_t seed);
 /// postures is (found by the library).
 struct EllipseCounts {
   std::size_t ellipses{0};
-  std::size_t unholdable{0};          ///< in every posture
-  std::size_t edges_meet{0};          ///< both contacts slip, and the edges meet on the vertical
-  std::size_t edges_meet_pinched{0};  ///< of these, not in the fork of the fingers
-  std::size_t resting{0};             ///< one finger carries all
-  std::size_t smooth{0};              ///< both carry, and V has a smooth minimum
-  std::size_t other{0};
+  std::size_t unholdable{0};    ///< in every posture
+  std::size_t kink{0};          ///< a kink: both slip, the edges meet on the vertical
+  std::size_t kink_pinched{0};  ///< of these, not in the fork of the fingers
+  std::size_t end{0};           ///< both slip where the holdable postures end
+  std::size_t resting{0};       ///< one finger carries all
+  std::size_t smooth{0};        ///< both carry, and V has a smooth minimum
   /// Ellipses with a best pinched posture, and those where the edges meet there.
   std::size_t pinched{0}, pinched_where_edges_meet{0};
 };

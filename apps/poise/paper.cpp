@@ -44,7 +44,7 @@ struct PaperDisks {
     fig4a = disk("Fig. 4(a)", 5 * pi / 12, 1, 1);
     fig4b = disk("Fig. 4(b)", pi / 3, 1, 1);
     fig4c = disk("Fig. 4(c)", pi / 4, 1, 1);
-    fig4c_more = disk("Fig. 4(c), more friction", pi / 4, 1.01, 1.01);
+    fig4c_more = disk("Fig. 4(c), μ = 1.01", pi / 4, 1.01, 1.01);
     fig6 = disk("Fig. 6", 5 * pi / 12, 1, least);
     if (arguments.phi_deg || arguments.mu1 || arguments.mu2)
       given.push_back(disk("Given", arguments.phi_deg.value_or(75) * pi / 180,
@@ -251,11 +251,12 @@ void write_findings_beyond_the_disk(Page& page) {
       "[0.1, 1.5], seed {}): {} can be held in some posture. The best of all postures is\n",
       seed, of(held, counts.ellipses));
   page.line("| | |\n|---|---|");
-  page.line("| where two cone edges meet on the vertical | {} |", of(counts.edges_meet, held));
-  page.line("| – of these pinched, not in the fork | {} |", of(counts.edges_meet_pinched, held));
+  page.line("| a kink, where two cone edges meet on the vertical | {} |", of(counts.kink, held));
+  page.line("| – of these pinched, not in the fork | {} |", of(counts.kink_pinched, held));
+  page.line("| the end of what can be held, where two cone edges meet, too | {} |",
+            of(counts.end, held));
   page.line("| resting on one finger | {} |", of(counts.resting, held));
   page.line("| smooth | {} |", of(counts.smooth, held));
-  page.line("| other | {} |", of(counts.other, held));
   page.line("\nThe best *pinched* posture is where the edges meet in {}.\n",
             of(counts.pinched_where_edges_meet, counts.pinched));
 }
@@ -313,7 +314,8 @@ std::string paper(const PaperArguments& arguments, bool json, const Style& style
   draw(curves_figure({disks.fig4a}), file("figure-4a.svg"));
   draw(curves_figure({disks.fig4b}), file("figure-4b.svg"));
   draw(curves_figure({disks.fig4c, disks.fig4c_more}), file("figure-4c.svg"));
-  draw(efforts_figure({disks.fig3a, disks.fig3b, disks.fig3c, disks.fig4a, disks.fig4c_more}),
+  draw(efforts_figure("Fig. 5: V for equal frictions",
+                      {disks.fig3a, disks.fig3b, disks.fig3c, disks.fig4a, disks.fig4c_more}),
        file("figure-5.svg"));
   draw(curves_figure({disks.fig6}), file("figure-6.svg"));
   draw(postures_figure({"Fig. 7: the postures a, b and c", disks.fig6.disk}), file("figure-7.svg"));
@@ -322,8 +324,8 @@ std::string paper(const PaperArguments& arguments, bool json, const Style& style
     draw(curves_figure({given}), file("given-curves.svg"));
     draw(postures_figure(given), file("given-postures.svg"));
   }
-  std::vector<NamedDisk> mapped{disks.fig4c_more, disks.fig3a, disks.fig3b, disks.fig4a,
-                                disks.fig6};
+  std::vector<NamedDisk> mapped{disks.fig4c_more, disks.fig3a, disks.fig3b,
+                                disks.fig3c,      disks.fig4a, disks.fig6};
   mapped.insert(mapped.end(), disks.given.begin(), disks.given.end());
   draw(minimum_figure(mapped), file("when-b-is-a-minimum.svg"));
   draw(sampling_figure({disks.fig3c, disks.fig6}), file("sampling.svg"));

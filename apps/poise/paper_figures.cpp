@@ -60,15 +60,16 @@ Line sampled(double from, double to, Function value) {
 struct Bound {
   std::size_t index;  ///< into alphas()
   const char* name;
+  const char* condition;
   const char* colour;
   int dash;
 };
 // Colour by condition, dashed for contact 2.
-constexpr std::array<Bound, 5> bounds{{{0, "α₁", limit_colour, 1},
-                                       {1, "α₂", limit_colour, 2},
-                                       {2, "α₃ = α₄", line_colour, 1},
-                                       {4, "α₅", force_colour, 1},
-                                       {5, "α₆", force_colour, 2}}};
+constexpr std::array<Bound, 5> bounds{{{0, "α₁", "N₁ > 0", limit_colour, 1},
+                                       {1, "α₂", "N₂ > 0", limit_colour, 2},
+                                       {2, "α₃ = α₄", "F₁, F₂ > 0", line_colour, 1},
+                                       {4, "α₅", "μ₁N₁ > F₁", force_colour, 1},
+                                       {5, "α₆", "μ₂N₂ > F₂", force_colour, 2}}};
 
 /// The axis of the internal force; beyond ten weights it is stretched near 0.
 struct AlphaAxis {
@@ -84,11 +85,13 @@ struct AlphaAxis {
 AlphaAxis alpha_axis(const HeldDisk& disk) {
   const double W = disk.weight;
   double top = 1.5 * W, deep = W;
-  if (disk.can_be_squeezed()) top = std::max(top, 1.6 * alpha_bar(disk, theta_b(disk)));
+  if (disk.can_be_squeezed())
+    for (int k = -50; k <= 50; ++k)
+      top = std::max(top, 1.2 * alpha_bar(disk, disk.range() * k / 50));
   deep = std::max(deep, std::min(1.1 * std::abs(alphas(disk, 0)[2]), top));
   const bool stretched = top > 10 * W;
-  if (stretched) return {-top, 1.6 * top, W, true};
-  return {-1.15 * deep, top, W, false};
+  if (stretched) return {-top, 2 * top, W, true};
+  return {-std::max(1.15 * deep, 0.87 * top), top, W, false};
 }
 
 /// Where each label is farthest from the other curves and labels: angle [deg], alpha.
@@ -101,7 +104,7 @@ std::array<std::optional<Vector<2>>, bounds.size()> label_places(const HeldDisk&
   for (std::size_t k = 0; k < bounds.size(); ++k) {
     double best = 0;
     Vector<2> part;
-    for (int deg = -168; deg <= 168; deg += 3) {
+    for (int deg = -150; deg <= 150; deg += 3) {
       const auto all = alphas(disk, radians(deg));
       const double alpha = all[bounds[k].index], y = axis.height(alpha);
       if (!std::isfinite(alpha) || y < 0.06 || y > 0.94) continue;
@@ -125,12 +128,24 @@ std::array<std::optional<Vector<2>>, bounds.size()> label_places(const HeldDisk&
   return places;
 }
 
-void mark(Script& script, const std::vector<study::Minimum>& marked, bool effort) {
+/// a, b, c; and b, where it is no minimum, too.
+std::vector<study::Minimum> marked_postures(const HeldDisk& disk) {
+  std::vector<study::Minimum> marked = minima(disk);
+  const double b = theta_b(disk);
+  if (marked.size() == 2 && disk.can_be_squeezed())
+    marked.insert(marked.begin() + 1, {'b', b, V(disk, b), alpha_bar(disk, b), Kind::kink});
+  return marked;
+}
+
+void mark(Script& script, const HeldDisk& disk, bool effort) {
+  const std::vector<study::Minimum> marked = marked_postures(disk);
+  const bool b_is_minimum = minima(disk).size() == marked.size();
   Line points;
   for (const study::Minimum& minimum : marked) {
     points.emplace_back(degrees(minimum.theta), effort ? minimum.V : minimum.alpha);
-    script.line("set label '{}' at {},{} {} offset {},0.7 front font 'sans-serif:Italic,17'",
-                minimum.name, points.back().x(), points.back().y(),
+    script.line("set label '{}{}' at {},{} {} offset {},0.7 front font 'sans-serif:Italic,17'",
+                minimum.name, minimum.name == 'b' && !b_is_minimum ? " (no minimum)" : "",
+                points.back().x(), points.back().y(),
                 minimum.name == 'a'   ? "right"
                 : minimum.name == 'c' ? "left"
                                       : "center",
@@ -142,23 +157,15 @@ void mark(Script& script, const std::vector<study::Minimum>& marked, bool effort
   script.layer("$marks with points pt 7 ps 0.9 lc rgb 'black' notitle");
 }
 
-/// a, b, c; and b, where it is no minimum, too.
-std::vector<study::Minimum> marked_postures(const HeldDisk& disk) {
-  std::vector<study::Minimum> marked = minima(disk);
-  const double b = theta_b(disk);
-  if (marked.size() == 2 && disk.can_be_squeezed())
-    marked.insert(marked.begin() + 1, {'b', b, V(disk, b), alpha_bar(disk, b), Kind::kink});
-  return marked;
-}
-
 void draw_bounds(Script& script, const HeldDisk& disk) {
   const AlphaAxis axis = alpha_axis(disk);
   posture_axis(script, disk);
   script.line("set ylabel 'internal force α [N]' offset 0.5,0\nset xtics format ''");
   if (axis.stretched)
     script.line("set nonlinear y via asinh(y/{0}) inverse {0}*sinh(y)", axis.weight);
-  script.line("set yrange [{}:{}]\nset xzeroaxis lw 1 lc rgb '{}'", axis.bottom, axis.top,
-              line_colour);
+  script.line("set yrange [{}:{}]", axis.bottom, axis.top);
+  script.data("zero", {{{-180, 0}, {180, 0}}});
+  script.layer("$zero with lines dt 3 lc rgb '{}' notitle", line_colour);
   if (axis.stretched) {
     script.line("set ytics ({})", [&] {
       std::string tics = "'0' 0";
@@ -170,7 +177,7 @@ void draw_bounds(Script& script, const HeldDisk& disk) {
   if (disk.can_be_squeezed()) {
     script.data("bar", {sampled(-disk.range(), disk.range(),
                                 [&](double theta) { return alpha_bar(disk, theta); })});
-    script.layer("$bar with lines lw 9 lc rgb '{}' title 'the largest, ᾱ'", cone_colour);
+    script.layer("$bar with lines lw 9 lc rgb '{}' title 'ᾱ, the largest'", cone_colour);
   }
   const auto places = label_places(disk, axis);
   for (std::size_t k = 0; k < bounds.size(); ++k) {
@@ -178,7 +185,8 @@ void draw_bounds(Script& script, const HeldDisk& disk) {
     if (!places[k]) continue;
     script.data(fmt::format("bound{}", k),
                 {sampled(-pi, pi, [&](double theta) { return alphas(disk, theta)[bound.index]; })});
-    script.layer("$bound{} with lines lw 2 dt {} lc rgb '{}' notitle", k, bound.dash, bound.colour);
+    script.layer("$bound{} with lines lw 2 dt {} lc rgb '{}' title '{}: {}'", k, bound.dash,
+                 bound.colour, bound.name, bound.condition);
     script.line("set label '{}' at {},{} center front boxed textcolor rgb '{}'", bound.name,
                 places[k]->x(), places[k]->y(), bound.colour);
   }
@@ -190,9 +198,9 @@ void draw_bounds(Script& script, const HeldDisk& disk) {
     script.line("set label 'μ sin φ − cos φ {} 0' at graph 0.5,0.86 center front boxed",
                 std::min(disk.d1(), disk.d2()) < 0 ? "<" : "=");
   }
-  mark(script, marked_postures(disk), false);
+  mark(script, disk, false);
   script.plot();
-  script.line("unset label\nunset object\nunset nonlinear y\nset ytics autofreq\nunset xzeroaxis");
+  script.line("unset label\nunset object\nunset nonlinear y\nset ytics autofreq");
 }
 
 /// V on its branches, over the range.
@@ -228,9 +236,9 @@ void draw_effort(Script& script, const HeldDisk& disk) {
   }
   if (disk.d1() <= 0 && disk.d2() <= 0)
     script.line("set label 'nothing between a and c can be held' at graph 0.5,0.4 center front");
-  mark(script, marked_postures(disk), true);
+  mark(script, disk, true);
   script.plot();
-  script.line("unset label\nunset object\nunset logscale\nset ytics format '%h'\nunset xlabel");
+  script.line("unset label\nunset object\nunset logscale\nset ytics format '%g'\nunset xlabel");
 }
 
 // ---- Postures ----------------------------------------------------------------------------------
@@ -248,6 +256,19 @@ Grasp<2> grasp_of(const HeldDisk& disk) {
                   {contact(1, disk.mu1, "contact 1"), contact(-1, disk.mu2, "contact 2")});
 }
 
+/// One length of arrows for all postures, in metres to a newton, such that those of a finger and of
+/// the weight on one line do not meet; by posture where the forces differ too much.
+std::optional<double> arrow_scale(const HeldDisk& disk,
+                                  const std::vector<study::Minimum>& postures) {
+  double largest = disk.weight;
+  for (const study::Minimum& posture : postures) {
+    const study::Forces f = forces(disk, posture.theta, posture.alpha);
+    largest = std::max({largest, std::hypot(f.N1, f.F1), std::hypot(f.N2, f.F2)});
+  }
+  if (largest > 3 * disk.weight) return {};
+  return 0.34 * disk.radius / disk.weight;
+}
+
 }  // namespace
 
 std::string parameters(const HeldDisk& disk) {
@@ -262,31 +283,33 @@ std::string curves_figure(const std::vector<NamedDisk>& columns) {
   Script script;
   begin_picture(script, width, 820, true);
   headline(script, columns.front().name, 0.97);
-  script.line("set key at screen 0.5,0.035 center center");
+  script.line("set key at screen 0.5,0.047 center center width -1 maxrows 3");
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const HeldDisk& disk = columns[k].disk;
     const double share = 1 / count, left = share * static_cast<double>(k);
-    const double from = left + 80 / width, to = left + share - 30 / width;
+    const double from = left + 95 / width, to = left + share - 30 / width;
     script.line("set title '{}' offset 0,-0.5", parameters(disk));
-    place(script, from, to, 0.45, 0.91);
+    place(script, from, to, 0.49, 0.91);
+    script.line("set key {}", k + 1 == columns.size() ? "on" : "off");
     draw_bounds(script, disk);
     script.line("unset title");
-    place(script, from, to, 0.13, 0.41);
+    place(script, from, to, 0.195, 0.45);
     draw_effort(script, disk);
   }
   script.line("unset multiplot");
   return script.text();
 }
 
-std::string efforts_figure(const std::vector<NamedDisk>& disks) {
+std::string efforts_figure(const std::string& title, const std::vector<NamedDisk>& disks) {
   Script script;
   begin_picture(script, 900, 560, true);
-  place(script, 0.1, 0.74, 0.13, 0.93);
-  script.line("set key at screen 0.76,0.9 left top vertical width 0");
-  script.line("set title '{}' offset 0,-0.5", disks.front().name);
+  place(script, 0.1, 0.73, 0.16, 0.92);
+  script.line("set key at screen 0.745,0.9 left top vertical width 0");
+  script.line("set title '{}' offset 0,-0.5", title);
   script.line("set border 3 lc rgb '{}'\nset tics nomirror out", line_colour);
   script.line("set xrange [-180:180]\nset xtics 45 format '%.0f°'\nset logscale y");
-  script.line("set ytics format '10^{{%L}}'");
+  script.line("set ytics format '10^{{%L}}'\nset yrange [{}:]",
+              disks.front().disk.weight * disks.front().disk.weight / 2);
   script.line("set xlabel 'object turned counter-clockwise by θ'\nset ylabel 'V [N²]'");
   constexpr std::array<const char*, 6> colours{"#0b5394", "#3d85c6", "#9fc5e8",
                                                "#38761d", "#e69138", "#a61c00"};
@@ -330,7 +353,8 @@ std::string postures_figure(const NamedDisk& named) {
     draw_object(script, Disk{disk.radius},
                 {.grasp = grasp,
                  .theta = minimum.theta,
-                 .hold = posture.hold.holdable ? &posture.hold : nullptr},
+                 .hold = posture.hold.holdable ? &posture.hold : nullptr,
+                 .scale = arrow_scale(disk, marked)},
                 &posture, width / count / (0.76 * height));
   }
   script.line("unset multiplot");
@@ -342,10 +366,10 @@ std::string range_figure(const NamedDisk& named) {
   const double phi = degrees(disk.phi), range = 180 - phi;
   Script script;
   begin_picture(script, 1000, 540);
-  headline(script, named.name, 0.955);
+  headline(script, named.name, 0.96);
   script.line("unset border\nunset tics\nunset key\nset title 'in the frame of the object'");
-  place(script, 0, 0.5, 0.02, 0.86);
-  script.line("set xrange [-1.72:1.72]\nset yrange [-1.5:1.62]");
+  place(script, 0, 0.5, 0.02, 0.84);
+  script.line("set xrange [-1.75:1.75]\nset yrange [-1.5:1.6]");
   const auto direction = [](double theta) { return up_at(radians(theta)); };
   const auto arc = [&](double from, double to, double radius) {
     Line line;
@@ -374,8 +398,8 @@ std::string range_figure(const NamedDisk& named) {
     script.line("set arrow from {},{} to {},{} head filled size 0.1,20 front lw 3 lc rgb '{}'",
                 1.3 * contact.x(), 1.3 * contact.y(), 1.02 * contact.x(), 1.02 * contact.y(),
                 force_colour);
-    label(fmt::format("contact {}", side > 0 ? 1 : 2),
-          1.42 * contact + Vector<2>(side * 0.13, -0.02), force_colour);
+    label(fmt::format("contact {}", side > 0 ? 1 : 2), 1.4 * contact + Vector<2>(side * 0.02, 0.12),
+          force_colour);
     label(fmt::format("{}{:g}°", side > 0 ? "" : "−", range),
           1.45 * end + Vector<2>(side * 0.03, 0), "black");
     label("φ", 0.55 * direction(side * phi / 2), line_colour);
@@ -404,11 +428,15 @@ std::string range_figure(const NamedDisk& named) {
   script.plot();
   script.line("unset label\nunset arrow");
   script.line("set title 'as it hangs at the end of the range, θ = π − φ'");
-  place(script, 0.5, 1, 0.02, 0.86);
+  place(script, 0.5, 1, 0.02, 0.84);
   const Grasp<2> grasp = grasp_of(disk);
   const Hold<2> resting = hold(grasp, up_at(disk.range()));
-  draw_object(script, Disk{disk.radius}, {.grasp = grasp, .theta = disk.range(), .hold = &resting},
-              nullptr, 500 / (0.84 * 540));
+  draw_object(script, Disk{disk.radius},
+              {.grasp = grasp,
+               .theta = disk.range(),
+               .hold = &resting,
+               .scale = arrow_scale(disk, {minima(disk).back()})},
+              nullptr, 500 / (0.82 * 540));
   script.line("unset multiplot");
   return script.text();
 }
@@ -423,9 +451,9 @@ std::string minimum_figure(const std::vector<NamedDisk>& disks) {
   const double count = static_cast<double>(angles.size()), width = 420 * count;
   constexpr double low = 1e-3, high = 100;  // of the friction beyond cot(phi)
   Script script;
-  begin_picture(script, width, 520, true);
+  begin_picture(script, width, 560, true);
   headline(script, "Is b a minimum of V?", 0.95);
-  script.line("set key at screen 0.5,0.035 center center");
+  script.line("set key at screen 0.5,0.035 center center width 2");
   script.line("set border 3 lc rgb '{}'\nset tics nomirror out\nset logscale xy", line_colour);
   script.line("set xrange [{0}:{1}]\nset yrange [{0}:{1}]", low, high);
   script.line("set tics format '10^{{%L}}'");
@@ -433,10 +461,10 @@ std::string minimum_figure(const std::vector<NamedDisk>& disks) {
   for (std::size_t k = 0; k < angles.size(); ++k) {
     const double phi = angles[k], least = 1 / std::tan(phi);
     const double left = static_cast<double>(k) / count;
-    place(script, left + 75 / width, left + 1 / count - 15 / width, 0.21, 0.85);
+    place(script, left + 75 / width, left + 1 / count - 15 / width, 0.25, 0.85);
     script.line("set title 'φ = {:.6g}°' offset 0,-0.5", degrees(phi));
     Line below, beside;  // its mirror image
-    constexpr int steps = 2000;
+    constexpr int steps = 300;
     for (int j = 0; j <= steps; ++j) {
       const double excess = low * std::pow(high / low, static_cast<double>(j) / steps);
       const double other = study::least_other_friction(phi, least + excess) - least;
@@ -449,18 +477,17 @@ std::string minimum_figure(const std::vector<NamedDisk>& disks) {
     script.data("beside", {beside});
     script.layer(
         "$below with filledcurves closed fc rgb '{0}' fs solid border lc rgb '{1}' title "
-        "'no: V falls through b, from one end of the range to the other'",
+        "'no: V falls on through b'",
         unholdable_colour, line_colour);
     script.layer("$beside with filledcurves closed fc rgb '{}' fs solid border lc rgb '{}' notitle",
                  unholdable_colour, line_colour);
-    script.line("set label 'yes' at {},{} center front textcolor rgb '{}'", 0.01, 0.01 * 1.8,
-                best_colour);
-    if (*std::max_element(below.begin(), below.end(),
-                          [](const auto& one, const auto& two) { return one.y() < two.y(); }) ==
-            Vector<2>(low, low) ||
-        below[steps / 4].y() > low) {
-      script.line("set label 'no' at 0.05,0.0018 center front");
-      script.line("set label 'no' at 0.0018,0.05 center front");
+    const auto answer = [&](const char* word, double x, double y) {
+      script.line("set label '{}' at {},{} center front font 'sans-serif:Bold,16'", word, x, y);
+    };
+    answer("yes", 20, 20);
+    if (below[steps / 3].y() > 4 * low) {
+      answer("no", 0.05, 0.003);
+      answer("no", 0.003, 0.05);
     }
     Line points;
     for (const NamedDisk& named : disks)
@@ -472,7 +499,7 @@ std::string minimum_figure(const std::vector<NamedDisk>& disks) {
     script.data("sets", {points});
     script.layer("$sets with points pt 7 ps 0.8 lc rgb 'black' title 'parameters of the figures'");
     script.plot();
-    script.line("unset label\nunset ylabel");
+    script.line("unset label\nunset ylabel\nset key off");
   }
   script.line("unset multiplot");
   return script.text();
@@ -489,7 +516,7 @@ std::string sampling_figure(const std::vector<NamedDisk>& disks) {
   constexpr std::array<const char*, 6> colours{"#0b5394", "#e69138", "#38761d",
                                                "#a61c00", "#3d85c6", "#9fc5e8"};
   for (const bool in_V : {true, false}) {
-    place(script, in_V ? 0.08 : 0.57, in_V ? 0.49 : 0.98, 0.22, 0.85);
+    place(script, in_V ? 0.08 : 0.57, in_V ? 0.49 : 0.98, 0.24, 0.85);
     script.line("set title '{}' offset 0,-0.5",
                 in_V ? "in V(b), relative" : "in the posture b, radians");
     for (std::size_t k = 0; k < disks.size(); ++k) {
@@ -508,7 +535,7 @@ std::string sampling_figure(const std::vector<NamedDisk>& disks) {
                    in_V ? 'V' : 't', colours[k % 6], disks[k].name, parameters(disks[k].disk));
     }
     script.plot();
-    script.line("set key off");
+    script.line("set key off\nunset label");
   }
   script.line("unset multiplot");
   return script.text();

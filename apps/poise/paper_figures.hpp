@@ -22,7 +22,7 @@ std::string range_figure(const NamedDisk& disk);
 /// Figs. 3, 4 and 6: the six bounds above V, one column for each disk.
 std::string curves_figure(const std::vector<NamedDisk>& columns);
 /// V of several disks over the range.
-std::string efforts_figure(const std::vector<NamedDisk>& disks);
+std::string efforts_figure(const std::string& title, const std::vector<NamedDisk>& disks);
 /// Fig. 7: the disk in the postures a, b and c.
 std::string postures_figure(const NamedDisk& disk);
 /// Where b is a minimum, over (μ₁, μ₂), for some φ.

@@ -58,9 +58,10 @@ void label_fingers(Script& script, const Scene& scene, double distance) {
     const char* const where = outward.x() > 0.5 ? "left" : outward.x() < -0.5 ? "right" : "center";
     const double middle = outward.y() > 0.5 ? 0.9 : outward.y() < -0.5 ? -0.5 : 0.1;
     label(script, quoted(scene.grasp.fingers()[k], 10), at, where, middle + 0.5, "black");
+    const double force = fingers[k].force.norm();
+    const bool loaded = force > 1e-9 * scene.grasp.object().weight;
     if (scene.hold)
-      label(script, quoted(newtons(fingers[k].force.norm()), 20), at, where, middle - 0.5,
-            force_colour);
+      label(script, quoted(newtons(loaded ? force : 0), 20), at, where, middle - 0.5, force_colour);
   }
 }
 
@@ -94,7 +95,7 @@ void draw_object(Script& script, const std::optional<Shape>& shape, const Scene&
   if (scene.hold)
     for (std::size_t i = 0; i < contacts.size(); ++i)
       largest = std::max(largest, force_vector(contacts[i], scene.hold->forces[i]).norm());
-  const double scale = 0.9 * size / largest;
+  const double scale = scene.scale.value_or(0.9 * size / largest);
   std::vector<std::vector<Vector<2>>> free, limited, cones, pads;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     cones.push_back(cone(scene, contacts[i], 0.75 * size));

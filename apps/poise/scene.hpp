@@ -14,6 +14,8 @@ struct Scene {
   const Grasp<2>& grasp;
   double theta;
   const Hold<2>* hold;  ///< none where the object cannot be held
+  /// Length of the force arrows [m/N]; otherwise the largest force is nearly half of the object.
+  std::optional<double> scale{};
 
   Vector<2> turned(const Vector<2>& v) const {
     const double c = std::cos(theta), s = std::sin(theta);
