@@ -36,7 +36,7 @@ DiskCounts count_disks(std::size_t disks, std::uint64_t seed) {
   return counts;
 }
 
-EllipseCounts count_ellipses(std::size_t ellipses, std::uint64_t seed) {
+EllipseCounts count_ellipses(std::size_t ellipses, double off_centre, std::uint64_t seed) {
   Random uniform(seed);
   EllipseCounts counts{.ellipses = ellipses};
   for (std::size_t k = 0; k < ellipses; ++k) {
@@ -50,7 +50,9 @@ EllipseCounts count_ellipses(std::size_t ellipses, std::uint64_t seed) {
       return result;
     };
     const double first = uniform(-pi, pi), second = uniform(-pi, pi);
-    const BestPosture best = best_posture(Grasp<2>({}, {contact(first), contact(second)}));
+    const double x = uniform(-off_centre, off_centre), y = uniform(-off_centre, off_centre);
+    const BestPosture best =
+        best_posture(Grasp<2>({1, {x, flat * y}}, {contact(first), contact(second)}));
     if (!best.holdable()) {
       ++counts.unholdable;
       continue;

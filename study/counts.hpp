@@ -13,9 +13,9 @@ struct DiskCounts {
 };
 DiskCounts count_disks(std::size_t disks, std::uint64_t seed);
 
-/// Ellipses with semi-axes 1 and [0.3, 1], the centre of mass in the centre, two contacts anywhere
-/// on the boundary and one friction in [0.1, 1.5] for both, all uniform: what the best of all
-/// postures is (found by the library).
+/// Ellipses with semi-axes 1 and [0.3, 1], two contacts anywhere on the boundary, one friction in
+/// [0.1, 1.5] for both, the centre of mass off the centre by up to `off_centre` of each semi-axis,
+/// all uniform: what the best of all postures is (found by the library).
 struct EllipseCounts {
   std::size_t ellipses{0};
   std::size_t unholdable{0};    ///< in every posture
@@ -27,6 +27,6 @@ struct EllipseCounts {
   /// Ellipses with a best pinched posture, and those where the edges meet there.
   std::size_t pinched{0}, pinched_where_edges_meet{0};
 };
-EllipseCounts count_ellipses(std::size_t ellipses, std::uint64_t seed);
+EllipseCounts count_ellipses(std::size_t ellipses, double off_centre, std::uint64_t seed);
 
 }  // namespace poise::study

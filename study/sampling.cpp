@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "study/exact.hpp"
 
@@ -23,30 +22,52 @@ std::optional<Sampled> sampled_minimum(const HeldDisk& disk, std::size_t samples
   return lowest;
 }
 
+namespace {
+
+/// The two samples beside b: V_6 holds before it, V_5 after it.
+class BesideB {
+ public:
+  explicit BesideB(const HeldDisk& disk)
+      : b_(theta_b(disk)), end_(disk.range()), before_(V_6(disk)), after_(V_5(disk)) {}
+
+  SamplingError error(std::size_t samples) const {
+    const double step = 2 * end_ / static_cast<double>(samples - 1);
+    const double below = -end_ + step * std::floor((b_ + end_) / step), above = below + step;
+    const double V_below = before_(below), V_above = after_(above);
+    return {.theta = std::abs((V_below <= V_above ? below : above) - b_),
+            .V = std::max(0.0, std::min(V_below, V_above) / after_(b_) - 1)};
+  }
+  /// So many samples are at most a step apart.
+  std::size_t samples(double step) const { return static_cast<std::size_t>(2 * end_ / step) + 2; }
+  /// Beyond so many samples the error in V is within a tolerance: one of them is within half a
+  /// step.
+  std::size_t enough_for_V(double tolerance) const {
+    double step = end_;
+    while (std::max(before_(b_ - step / 2), after_(b_ + step / 2)) / after_(b_) - 1 > tolerance)
+      step *= 0.99;
+    return samples(step);
+  }
+
+ private:
+  double b_, end_;
+  Harmonic2 before_, after_;
+};
+
+}  // namespace
+
 SamplingError sampling_error(const HeldDisk& disk, std::size_t samples) {
-  const double b = theta_b(disk), least = V(disk, b), end = disk.range();
-  const double step = 2 * end / static_cast<double>(samples - 1);
-  const double before = -end + step * std::floor((b + end) / step), after = before + step;
-  const double V_before = V(disk, before), V_after = V(disk, after);
-  return {.theta = std::abs((V_before <= V_after ? before : after) - b),
-          .V = std::max(0.0, std::min(V_before, V_after) / least - 1)};
+  return BesideB(disk).error(samples);
 }
 
 SamplesNeeded samples_needed(const HeldDisk& disk, double tolerance) {
-  const double b = theta_b(disk), least = V(disk, b), end = disk.range();
-  const auto last_above = [&](std::size_t from, auto error) {
-    std::size_t samples = from;
-    while (samples > 3 && error(sampling_error(disk, samples)) <= tolerance) --samples;
+  const BesideB beside(disk);
+  const auto last_above = [&](std::size_t enough, double SamplingError::*error) {
+    std::size_t samples = enough;
+    while (samples > 3 && beside.error(samples).*error <= tolerance) --samples;
     return samples + 1;
   };
-  // Beyond these the errors are small enough: a sample is within half a step of b in V, and the one
-  // that is found within a step in theta.
-  double step = end;
-  while (std::max(V(disk, b - step / 2), V(disk, b + step / 2)) / least - 1 > tolerance)
-    step *= 0.99;
-  const auto enough = [&](double h) { return static_cast<std::size_t>(2 * end / h) + 2; };
-  return {.theta = last_above(enough(tolerance), [](const SamplingError& e) { return e.theta; }),
-          .V = last_above(enough(step), [](const SamplingError& e) { return e.V; })};
+  return {.theta = last_above(beside.samples(tolerance), &SamplingError::theta),
+          .V = last_above(beside.enough_for_V(tolerance), &SamplingError::V)};
 }
 
 }  // namespace poise::study

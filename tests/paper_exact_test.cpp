@@ -236,7 +236,7 @@ TEST(PaperCounts, AreTheSameInEveryRun) {
   EXPECT_EQ(disks.b_is_no_minimum, count_disks(2000, 1).b_is_no_minimum);
   // Of 20,000 about 36 percent.
   EXPECT_NEAR(static_cast<double>(disks.b_is_no_minimum) / 2000, 0.36, 0.04);
-  const EllipseCounts counts = count_ellipses(300, 1);
+  const EllipseCounts counts = count_ellipses(300, 0, 1);
   EXPECT_EQ(counts.unholdable + counts.kink + counts.end + counts.resting + counts.smooth, 300U);
   // The meeting point is not in general the best of all postures, but the best pinched one.
   EXPECT_LT(counts.kink, (300 - counts.unholdable) / 2);

@@ -164,7 +164,7 @@ struct Parser {
     if (phi) paper.phi_deg = read_number("--phi", *phi, true, 90);
     if (mu1) paper.mu1 = read_number("--mu1", *mu1, false, 1e6);
     if (mu2) paper.mu2 = read_number("--mu2", *mu2, false, 1e6);
-    if (weight) paper.weight = read_number("--weight", *weight, true, 1e9);
+    if (weight) paper.weight = read_number("--weight", *weight, true, 1e6);
     if (force_cap) arguments.force_cap = read_force_cap(*force_cap);
   }
 

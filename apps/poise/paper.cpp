@@ -28,6 +28,11 @@ using study::pi;
 const double root3 = std::sqrt(3.0);
 constexpr std::uint64_t seed = 1;
 
+/// Whether b is a minimum between a and c.
+bool has_b(const NamedDisk& named) {
+  return named.disk.can_be_squeezed() && minima(named.disk).size() == 3;
+}
+
 /// The disks of the figures. In print phi is half of these angles: finding 2.
 struct PaperDisks {
   NamedDisk fig3a, fig3b, fig3c, fig4a, fig4b, fig4c, fig4c_more, fig6;
@@ -58,12 +63,9 @@ struct PaperDisks {
     disks.insert(disks.end(), given.begin(), given.end());
     return disks;
   }
-  /// Those of which b is a minimum, and so can be sampled.
   std::vector<NamedDisk> with_b() const {
     std::vector<NamedDisk> disks = all();
-    std::erase_if(disks, [](const NamedDisk& named) {
-      return !named.disk.can_be_squeezed() || minima(named.disk).size() < 3;
-    });
+    std::erase_if(disks, [](const NamedDisk& named) { return !has_b(named); });
     return disks;
   }
 };
@@ -71,6 +73,11 @@ struct PaperDisks {
 std::string minima_table(const std::vector<NamedDisk>& disks, const Style& style) {
   Table table({"<disk", "φ", "μ₁", "μ₂", "<", "θ", "internal force [N]", "V [N²]", "force norm [N]",
                "<kind"});
+  // Six digits of the weight and of its square.
+  const double magnitude = std::floor(std::log10(disks.front().disk.weight));
+  const auto digits = [&](double power) {
+    return static_cast<int>(std::clamp(4 + power * (1 - magnitude), 0.0, 15.0));
+  };
   for (const NamedDisk& named : disks) {
     bool first = true;
     for (const study::Minimum& minimum : minima(named.disk)) {
@@ -81,9 +88,9 @@ std::string minima_table(const std::vector<NamedDisk>& disks, const Style& style
                fmt::format("{:.5g}", disk.mu1), fmt::format("{:.5g}", disk.mu2)};
       first = false;
       for (std::string cell :
-           {std::string(1, minimum.name), degrees_text(minimum.theta), fixed(minimum.alpha, 4),
-            fixed(minimum.V, 4), fixed(std::sqrt(minimum.V), 4),
-            std::string(to_string(minimum.kind))})
+           {std::string(1, minimum.name), degrees_text(minimum.theta),
+            fixed(minimum.alpha, digits(1)), fixed(minimum.V, digits(2)),
+            fixed(std::sqrt(minimum.V), digits(1)), std::string(to_string(minimum.kind))})
         row.push_back(std::move(cell));
       table.add(std::move(row));
     }
@@ -229,36 +236,55 @@ void write_findings_on_the_paper(Page& page, const PaperDisks& disks) {
       "and there is no minimum between a and c, in {}. A smooth minimum there is never.\n",
       seed, of(counts.b_is_no_minimum, counts.disks));
 
-  const HeldDisk& six = disks.fig6.disk;
-  const BestPosture best = best_posture(grasp_of(six));
   page.line("## 7. Outside its range the disk is held with less\n");
-  page.line(
-      "The disk of Fig. 6 over the whole circle: best at {}, {}, with V = {} N²; at a and c it is "
-      "{} "
-      "N², at b {} N².\n",
-      degrees_text(best.best().optimum.angle), to_string(best.best().manner),
-      fixed(best.best().optimum.effort, 4), fixed(minima(six)[0].V, 4),
-      fixed(V(six, theta_b(six)), 4));
+  page.line("The best of all postures, over the whole circle:\n");
+  page.line("| disk | posture | | V [N²] | V at a and c | V at b |\n|---|---|---|---|---|---|");
+  for (const NamedDisk& named : disks.all()) {
+    const std::vector<study::Minimum> in_range = minima(named.disk);
+    const BestPosture best = best_posture(grasp_of(named.disk));
+    page.line("| {} | {} | {} | {:.4f} | {:.4f} | {} |", named.name,
+              degrees_text(best.best().optimum.angle), to_string(best.best().manner),
+              best.best().optimum.effort, in_range.front().V,
+              in_range.size() == 3 ? fixed(in_range[1].V, 4) : "–");
+  }
+  page.line("");
 }
 
 void write_findings_beyond_the_disk(Page& page) {
-  const study::EllipseCounts counts = study::count_ellipses(20000, seed);
-  const std::size_t held = counts.ellipses - counts.unholdable;
+  const study::EllipseCounts centred = study::count_ellipses(20000, 0, seed);
+  const study::EllipseCounts off = study::count_ellipses(20000, 0.5, seed);
   page.line("## Beyond the disk: how often the meeting point is best\n");
   page.line(
-      "Random ellipses in two contacts (semi-axes 1 and [0.3, 1], contacts anywhere, one friction "
-      "in "
-      "[0.1, 1.5], seed {}): {} can be held in some posture. The best of all postures is\n",
-      seed, of(held, counts.ellipses));
-  page.line("| | |\n|---|---|");
-  page.line("| a kink, where two cone edges meet on the vertical | {} |", of(counts.kink, held));
-  page.line("| – of these pinched, not in the fork | {} |", of(counts.kink_pinched, held));
-  page.line("| the end of what can be held, where two cone edges meet, too | {} |",
-            of(counts.end, held));
-  page.line("| resting on one finger | {} |", of(counts.resting, held));
-  page.line("| smooth | {} |", of(counts.smooth, held));
-  page.line("\nThe best *pinched* posture is where the edges meet in {}.\n",
-            of(counts.pinched_where_edges_meet, counts.pinched));
+      "Random ellipses in two contacts: semi-axes 1 and [0.3, 1], contacts anywhere on the "
+      "boundary, "
+      "one friction in [0.1, 1.5] for both, seed {}; the centre of mass in the centre, or off it "
+      "by up "
+      "to half of each semi-axis. The best of all postures is\n",
+      seed);
+  page.line("| | in the centre | off it |\n|---|---|---|");
+  const auto row = [&](const char* what, auto part, auto whole) {
+    page.line("| {} | {} | {} |", what, of(part(centred), whole(centred)),
+              of(part(off), whole(off)));
+  };
+  const auto held = [](const study::EllipseCounts& c) { return c.ellipses - c.unholdable; };
+  row(
+      "a kink, where two cone edges meet on the vertical", [](auto& c) { return c.kink; }, held);
+  row(
+      "– of these pinched, not in the fork", [](auto& c) { return c.kink_pinched; }, held);
+  row(
+      "the end of what can be held, where two edges meet, too", [](auto& c) { return c.end; },
+      held);
+  row(
+      "resting on one finger", [](auto& c) { return c.resting; }, held);
+  row(
+      "smooth", [](auto& c) { return c.smooth; }, held);
+  row(
+      "held in no posture", [](auto& c) { return c.unholdable; },
+      [](auto& c) { return c.ellipses; });
+  row(
+      "the best *pinched* posture, where there is one, is where two edges meet",
+      [](auto& c) { return c.pinched_where_edges_meet; }, [](auto& c) { return c.pinched; });
+  page.line("");
 }
 
 void write_sampling(Page& page, const PaperDisks& disks) {
@@ -328,7 +354,10 @@ std::string paper(const PaperArguments& arguments, bool json, const Style& style
                                 disks.fig3c,      disks.fig4a, disks.fig6};
   mapped.insert(mapped.end(), disks.given.begin(), disks.given.end());
   draw(minimum_figure(mapped), file("when-b-is-a-minimum.svg"));
-  draw(sampling_figure({disks.fig3c, disks.fig6}), file("sampling.svg"));
+  std::vector<NamedDisk> to_sample{disks.fig3c, disks.fig6};
+  for (const NamedDisk& given : disks.given)
+    if (has_b(given)) to_sample.push_back(given);
+  draw(sampling_figure(to_sample), file("sampling.svg"));
   write_file(findings(disks), file("findings.md"));
 
   if (json) return minima_document(arguments, all);

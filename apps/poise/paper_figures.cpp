@@ -35,7 +35,7 @@ void place(Script& script, double left, double right, double bottom, double top)
 
 void posture_axis(Script& script, const HeldDisk& disk) {
   script.line("set border 3 lc rgb '{}'\nset tics nomirror out", line_colour);
-  script.line("set xrange [-180:180]\nset xtics 45 format '%.0f°'");
+  script.line("set xrange [-180:180]\nset xtics 45 format '%.0f°'\nset minussign");
   const double range = degrees(disk.range());
   for (const double side : {-1.0, 1.0})
     script.line(
@@ -47,7 +47,7 @@ void posture_axis(Script& script, const HeldDisk& disk) {
 template <class Function>
 Line sampled(double from, double to, Function value) {
   Line line;
-  constexpr int steps = 720;
+  constexpr int steps = 360;
   for (int k = 0; k <= steps; ++k) {
     const double theta = from + (to - from) * k / steps;
     line.emplace_back(degrees(theta), value(theta));
@@ -88,7 +88,7 @@ AlphaAxis alpha_axis(const HeldDisk& disk) {
   if (disk.can_be_squeezed())
     for (int k = -50; k <= 50; ++k)
       top = std::max(top, 1.2 * alpha_bar(disk, disk.range() * k / 50));
-  deep = std::max(deep, std::min(1.1 * std::abs(alphas(disk, 0)[2]), top));
+  deep = std::max(deep, std::min(1.1 * std::abs(alphas(disk, 0)[2]), 1.6 * top));
   const bool stretched = top > 10 * W;
   if (stretched) return {-top, 2 * top, W, true};
   return {-std::max(1.15 * deep, 0.87 * top), top, W, false};
@@ -307,7 +307,7 @@ std::string efforts_figure(const std::string& title, const std::vector<NamedDisk
   script.line("set key at screen 0.745,0.9 left top vertical width 0");
   script.line("set title '{}' offset 0,-0.5", title);
   script.line("set border 3 lc rgb '{}'\nset tics nomirror out", line_colour);
-  script.line("set xrange [-180:180]\nset xtics 45 format '%.0f°'\nset logscale y");
+  script.line("set xrange [-180:180]\nset xtics 45 format '%.0f°'\nset minussign\nset logscale y");
   script.line("set ytics format '10^{{%L}}'\nset yrange [{}:]",
               disks.front().disk.weight * disks.front().disk.weight / 2);
   script.line("set xlabel 'object turned counter-clockwise by θ'\nset ylabel 'V [N²]'");
@@ -457,11 +457,11 @@ std::string minimum_figure(const std::vector<NamedDisk>& disks) {
   script.line("set border 3 lc rgb '{}'\nset tics nomirror out\nset logscale xy", line_colour);
   script.line("set xrange [{0}:{1}]\nset yrange [{0}:{1}]", low, high);
   script.line("set tics format '10^{{%L}}'");
-  script.line("set xlabel 'μ₁ − cot φ'\nset ylabel 'μ₂ − cot φ'");
+  script.line("set xlabel 'μ₁ − cot φ'\nset ylabel 'μ₂ − cot φ' offset 2,0");
   for (std::size_t k = 0; k < angles.size(); ++k) {
     const double phi = angles[k], least = 1 / std::tan(phi);
     const double left = static_cast<double>(k) / count;
-    place(script, left + 75 / width, left + 1 / count - 15 / width, 0.25, 0.85);
+    place(script, left + 85 / width, left + 1 / count - 15 / width, 0.25, 0.85);
     script.line("set title 'φ = {:.6g}°' offset 0,-0.5", degrees(phi));
     Line below, beside;  // its mirror image
     constexpr int steps = 300;
@@ -496,8 +496,11 @@ std::string minimum_figure(const std::vector<NamedDisk>& disks) {
         script.line("set label '{}' at {},{} left offset 0.7,-0.2 front font ',12'", named.name,
                     points.back().x(), points.back().y());
       }
-    script.data("sets", {points});
-    script.layer("$sets with points pt 7 ps 0.8 lc rgb 'black' title 'parameters of the figures'");
+    if (!points.empty()) {
+      script.data("sets", {points});
+      script.layer(
+          "$sets with points pt 7 ps 0.8 lc rgb 'black' title 'parameters of the figures'");
+    }
     script.plot();
     script.line("unset label\nunset ylabel\nset key off");
   }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of README.md and docs/theory.md. Needs gnuplot, jq and awk.
+# Draws the pictures of README.md, docs/theory.md and docs/paper.md. Needs gnuplot, jq and awk.
 #   docs/pictures/make.sh [the program; default: build/poise]
 set -euo pipefail
 poise=$(realpath "${1:-$(dirname "$0")/../../build/poise}")
@@ -416,3 +416,11 @@ plot '+' using 1:(least($1)):(32) with filledcurves lc rgb cone title 'both forc
   b3(x) with lines dt 4 lw 1.2 lc rgb limit title 'edges of the left contact', b4(x) with lines dt 4 lw 1.2 lc rgb limit notitle, \
   max(0, least(x)) with lines lw 3 lc rgb force title 'α* = 0, clamped to them'
 END
+
+# ---- The paper ---------------------------------------------------------------------------------
+
+"$poise" paper --out "$work/paper" > /dev/null
+for figure in figure-{2,3a,3b,3c,4a,4c,5,6,7} when-b-is-a-minimum sampling; do
+  mv "$work/paper/$figure.svg" "paper-$figure.svg"
+  echo "paper-$figure.svg"
+done
