@@ -19,6 +19,19 @@ double friction_bound(const HeldDisk& disk, double mu, double d, double theta) {
 
 }  // namespace
 
+Grasp<2> grasp_of(const HeldDisk& disk) {
+  const auto contact = [&](double side, double friction, const char* name) {
+    Contact<2> result;
+    result.position = disk.radius * Vector<2>(side * disk.s(), disk.c());
+    result.normal = -result.position;
+    result.friction = friction;
+    result.finger = name;
+    return result;
+  };
+  return Grasp<2>({disk.weight, {0, 0}},
+                  {contact(1, disk.mu1, "contact 1"), contact(-1, disk.mu2, "contact 2")});
+}
+
 Eigen::Matrix<double, 3, 4> grasp_matrix(const HeldDisk& disk) {
   const double s = disk.s(), c = disk.c(), r = disk.radius;
   Eigen::Matrix<double, 3, 4> G;

@@ -4,9 +4,10 @@
 // Nothing here uses the solver of the library, so that each can be checked by the other.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cmath>
+
+#include "poise/grasp.hpp"
 
 namespace poise::study {
 
@@ -39,6 +40,9 @@ struct HeldDisk {
     return std::abs(d) < 1e-14 * (1 + mu) ? 0 : d;
   }
 };
+
+/// The same disk as the library sees it, its fingers named "contact 1" and "contact 2".
+Grasp<2> grasp_of(const HeldDisk& disk);
 
 /// The contact forces F, on the object [N]: each N along the inward normal, each F along the
 /// circle, upwards at theta = 0.

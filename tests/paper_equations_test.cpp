@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <random>
 
+#include "paper_disks.hpp"
 #include "poise/hold.hpp"
 #include "study/disk.hpp"
 #include "study/sampling.hpp"
@@ -12,25 +13,14 @@
 namespace poise::study {
 namespace {
 
-const double root2 = std::sqrt(2.0), root3 = std::sqrt(3.0);
-const std::vector<HeldDisk> disks{{.phi = pi / 3, .mu1 = root3, .mu2 = root3},
-                                  {.phi = pi / 3, .mu1 = 1, .mu2 = 1},
-                                  {.phi = pi / 3, .mu1 = 1 / root3 + 0.01, .mu2 = 1 / root3 + 0.01},
-                                  {.phi = 5 * pi / 12, .mu1 = 1, .mu2 = 1},
-                                  {.phi = pi / 4, .mu1 = 1.01, .mu2 = 1.01},
-                                  {.phi = 5 * pi / 12, .mu1 = 1, .mu2 = 1 / root3, .radius = 0.2}};
+const double root2 = std::sqrt(2.0);
+const std::vector<HeldDisk> disks = [] {
+  std::vector<HeldDisk> list;
+  for (const test::PaperRow& row : test::paper_table) list.push_back(row.disk);
+  list.back().radius = 0.2;  // no force depends on it
+  return list;
+}();
 const std::vector<double> postures{-1.7, -1, -0.3, 0, 0.2, 0.9, 1.8};
-
-Grasp<2> grasp_of(const HeldDisk& disk) {
-  const auto contact = [&](double side, double friction) {
-    Contact<2> result;
-    result.position = disk.radius * Vector<2>(side * disk.s(), disk.c());
-    result.normal = -result.position;
-    result.friction = friction;
-    return result;
-  };
-  return Grasp<2>({disk.weight, {0, 0}}, {contact(1, disk.mu1), contact(-1, disk.mu2)});
-}
 
 /// The paper's forces as the library counts them: normal, tangential of contact 1, then of 2.
 Eigen::Vector4d in_library_signs(const Forces& f) { return {f.N1, -f.F1, f.N2, f.F2}; }

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "paper_disks.hpp"
 #include "poise/best_posture.hpp"
 #include "study/counts.hpp"
 #include "study/exact.hpp"
@@ -11,18 +12,8 @@
 namespace poise::study {
 namespace {
 
-const double root3 = std::sqrt(3.0);
-
-Grasp<2> grasp_of(const HeldDisk& disk) {
-  const auto contact = [&](double side, double friction) {
-    Contact<2> result;
-    result.position = {side * disk.s(), disk.c()};
-    result.normal = -result.position;
-    result.friction = friction;
-    return result;
-  };
-  return Grasp<2>({disk.weight, {0, 0}}, {contact(1, disk.mu1), contact(-1, disk.mu2)});
-}
+using test::paper_table;
+using test::root3;
 
 struct Random {
   std::mt19937_64 bits{20};
@@ -46,25 +37,8 @@ struct Random {
   }
 };
 
-struct Row {
-  HeldDisk disk;
-  double theta_b_deg, alpha_b, V_b, rounding;
-};
-const std::vector<Row> table{
-    {{.phi = pi / 3, .mu1 = root3, .mu2 = root3}, 0, 12.2474, 200, 1e-9},
-    {{.phi = pi / 3, .mu1 = 1, .mu2 = 1}, 0, 26.3896, 746.4102, 5e-5},
-    {{.phi = pi / 3, .mu1 = 1 / root3 + 0.01, .mu2 = 1 / root3 + 0.01},
-     0,
-     946.8915,
-     896653.56,
-     0.005},
-    {{.phi = 5 * pi / 12, .mu1 = 1, .mu2 = 1}, 0, 12.2474, 200, 1e-9},
-    {{.phi = pi / 4, .mu1 = 1.01, .mu2 = 1.01}, 0, 1421.2846, 2020100, 0.05},
-    {{.phi = 5 * pi / 12, .mu1 = 1, .mu2 = 1 / root3}, 30, 15.7830, 300, 1e-9},
-};
-
 TEST(PaperExact, MinimaOfTheSixParameterSets) {
-  for (const Row& row : table) {
+  for (const test::PaperRow& row : paper_table) {
     const std::vector<Minimum> found = minima(row.disk);
     ASSERT_EQ(found.size(), 3U);
     EXPECT_EQ(found[0].theta, -row.disk.range());
@@ -88,6 +62,28 @@ TEST(PaperExact, TheLimitOfFrictionFitsPhiAndNotTwicePhi) {
     EXPECT_FALSE(as_written.can_be_squeezed());
     EXPECT_EQ(minima(as_written).size(), 2U);
   }
+}
+
+// Figs. 2 and 7: who carries what in a, b and c.
+TEST(PaperExact, ForcesInTheThreePostures) {
+  const HeldDisk& disk = paper_table[5].disk;
+  const std::vector<Minimum> found = minima(disk);
+  const auto at = [&](std::size_t k) { return forces(disk, found[k].theta, found[k].alpha); };
+  // a and c: the contact under the centre of mass carries all.
+  for (const auto& [k, loaded] : {std::pair(0, 0), std::pair(2, 2)}) {
+    Eigen::Vector4d expected = Eigen::Vector4d::Zero();
+    expected[loaded] = disk.weight;
+    EXPECT_NEAR((at(static_cast<std::size_t>(k)).vector() - expected).norm(), 0, 1e-13);
+  }
+  // b: both slip. Contact 1, at 45 degrees, pushes level; contact 2, at 105, with root 2 as much.
+  const Forces b = at(1);
+  EXPECT_NEAR(b.F1, disk.mu1 * b.N1, 1e-13);
+  EXPECT_NEAR(b.F2, disk.mu2 * b.N2, 1e-13);
+  EXPECT_NEAR(std::hypot(b.N1, b.F1), 10, 1e-13);
+  EXPECT_NEAR(std::hypot(b.N2, b.F2), 10 * std::sqrt(2.0), 1e-13);
+  // So the edges meet straight above the centre of mass, as high as contact 1.
+  const Vector<2> meet = edges_meet(disk);
+  EXPECT_NEAR((meet - std::cos(pi / 4) * up_at(pi / 6)).norm(), 0, 1e-13);
 }
 
 // Findings 4 and 5.
@@ -191,14 +187,6 @@ TEST(PaperExact, CaseListIsTheGeneralSolver) {
   }
   EXPECT_LT(undecided, 10);
   for (const int count : cases) EXPECT_GT(count, 5000);
-}
-
-// Finding 7.
-TEST(PaperExact, OverTheWholeCircleTheForkIsBetter) {
-  const HeldDisk& disk = table[5].disk;
-  const BestPosture best = best_posture(grasp_of(disk));
-  EXPECT_NEAR(best.best().optimum.angle * 180 / pi, 165, 1e-9);
-  EXPECT_LT(best.best().optimum.effort, minima(disk)[0].V);
 }
 
 // The theorem beyond the disk: a kink where both slip is one of the meeting points.

@@ -1,5 +1,6 @@
 // The listings of the README and of the documentation, as a reader would try them.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -123,6 +124,35 @@ TEST(Documentation, GraspFilesLoad) {
         (yaml ? grasp_from_yaml : grasp_from_json)(listing.text, listing.place).grasp());
   }
   EXPECT_GE(files, 4);
+}
+
+// The tables of docs/paper.md that were measured: how often, and how many samples.
+TEST(Documentation, PaperTellsWhatIsMeasured) {
+  const fs::path out = fs::path(testing::TempDir()) / ("poise_paper_" + std::to_string(getpid()));
+  output("build/poise paper --out '" + out.string() + "'");
+  const std::string findings = contents(out / "findings.md");
+  fs::remove_all(out);
+  const std::string page = contents(root / "docs/paper.md");
+  std::istringstream lines(page.substr(page.find("## Beyond the disk")));
+  int cells = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("| ")) continue;
+    std::istringstream row(replaced(line, ",", ""));
+    std::string cell;
+    std::getline(row, cell, '|');  // before the first
+    std::getline(row, cell, '|');  // what it is
+    while (std::getline(row, cell, '|')) {
+      if (cell.find_first_of("0123456789") == cell.npos || cell.find("e-") != cell.npos ||
+          cell.find("rad") != cell.npos)
+        continue;
+      ++cells;
+      cell = cell.substr(1, cell.size() - 2);
+      EXPECT_NE(findings.find(cell), findings.npos) << line;
+    }
+  }
+  EXPECT_EQ(cells, 18);
+  EXPECT_NE(replaced(page, ",", "").find("7259 of 20000"), page.npos);
+  EXPECT_NE(findings.find("7259 of 20000"), findings.npos);
 }
 
 }  // namespace

@@ -169,17 +169,6 @@ double largest_difference(const HeldDisk& disk) {
   return largest;
 }
 
-Grasp<2> grasp_of(const HeldDisk& disk) {
-  const auto contact = [&](double side, double friction) {
-    Contact<2> result;
-    result.position = disk.radius * Vector<2>(side * disk.s(), disk.c());
-    result.normal = -result.position;
-    result.friction = friction;
-    return result;
-  };
-  return Grasp<2>({disk.weight, {0, 0}}, {contact(1, disk.mu1), contact(-1, disk.mu2)});
-}
-
 std::string of(std::size_t part, std::size_t whole) {
   return fmt::format("{} of {} ({:.1f} %)", part, whole,
                      100 * static_cast<double>(part) / static_cast<double>(whole));
@@ -235,6 +224,19 @@ void write_findings_on_the_paper(Page& page, const PaperDisks& disks) {
       "Of random disks (φ ∈ [0.3, π/2], μᵢ = cot φ + 10ᵘ, u ∈ [−3, 1], seed {}) V falls through b, "
       "and there is no minimum between a and c, in {}. A smooth minimum there is never.\n",
       seed, of(counts.b_is_no_minimum, counts.disks));
+
+  page.line("b is a minimum where each friction is above a bound that the other one sets:\n");
+  page.line("| disk | μ₁ | bound | μ₂ | bound |\n|---|---|---|---|---|");
+  for (const NamedDisk& named : disks.all()) {
+    const HeldDisk& disk = named.disk;
+    if (!disk.can_be_squeezed()) continue;
+    const auto bound = [&](double other) {
+      return std::max(study::least_other_friction(disk.phi, other), 1 / std::tan(disk.phi));
+    };
+    page.line("| {} | {:.6f} | {:.6f} | {:.6f} | {:.6f} |", named.name, disk.mu1, bound(disk.mu2),
+              disk.mu2, bound(disk.mu1));
+  }
+  page.line("");
 
   page.line("## 7. Outside its range the disk is held with less\n");
   page.line("The best of all postures, over the whole circle:\n");

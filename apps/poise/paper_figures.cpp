@@ -241,21 +241,6 @@ void draw_effort(Script& script, const HeldDisk& disk) {
   script.line("unset label\nunset object\nunset logscale\nset ytics format '%g'\nunset xlabel");
 }
 
-// ---- Postures ----------------------------------------------------------------------------------
-
-Grasp<2> grasp_of(const HeldDisk& disk) {
-  const auto contact = [&](double side, double friction, const char* name) {
-    Contact<2> result;
-    result.position = disk.radius * Vector<2>(side * disk.s(), disk.c());
-    result.normal = -result.position;
-    result.friction = friction;
-    result.finger = name;
-    return result;
-  };
-  return Grasp<2>({disk.weight, {0, 0}},
-                  {contact(1, disk.mu1, "contact 1"), contact(-1, disk.mu2, "contact 2")});
-}
-
 /// One length of arrows for all postures, in metres to a newton, such that those of a finger and of
 /// the weight on one line do not meet; by posture where the forces differ too much.
 std::optional<double> arrow_scale(const HeldDisk& disk,

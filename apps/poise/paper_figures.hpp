@@ -18,13 +18,13 @@ struct NamedDisk {
 std::string parameters(const study::HeldDisk& disk);
 
 /// Fig. 2: the range of pinching up, and the disk at its end.
-std::string range_figure(const NamedDisk& disk);
+std::string range_figure(const NamedDisk& named);
 /// Figs. 3, 4 and 6: the six bounds above V, one column for each disk.
 std::string curves_figure(const std::vector<NamedDisk>& columns);
 /// V of several disks over the range.
 std::string efforts_figure(const std::string& title, const std::vector<NamedDisk>& disks);
 /// Fig. 7: the disk in the postures a, b and c.
-std::string postures_figure(const NamedDisk& disk);
+std::string postures_figure(const NamedDisk& named);
 /// Where b is a minimum, over (μ₁, μ₂), for some φ.
 std::string minimum_figure(const std::vector<NamedDisk>& disks);
 /// The errors of sampling by the number of samples.
