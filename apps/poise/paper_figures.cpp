@@ -160,7 +160,7 @@ void mark(Script& script, const HeldDisk& disk, bool effort) {
 void draw_bounds(Script& script, const HeldDisk& disk) {
   const AlphaAxis axis = alpha_axis(disk);
   posture_axis(script, disk);
-  script.line("set ylabel 'internal force α [N]' offset 0.5,0\nset xtics format ''");
+  script.line("set ylabel 'internal force α [N]' offset 1.5,0\nset xtics format ''");
   if (axis.stretched)
     script.line("set nonlinear y via asinh(y/{0}) inverse {0}*sinh(y)", axis.weight);
   script.line("set yrange [{}:{}]", axis.bottom, axis.top);
@@ -227,7 +227,7 @@ void draw_effort(Script& script, const HeldDisk& disk) {
     for (const Vector<2>& point : line) most = std::max(most, point.y());
   const bool log = most > 30 * least;
   script.line(
-      "set xlabel 'object turned counter-clockwise by θ'\nset ylabel 'V [N²]' offset 0.5,0");
+      "set xlabel 'object turned counter-clockwise by θ'\nset ylabel 'V [N²]' offset 0.7,0");
   if (log) script.line("set logscale y\nset ytics format '10^{{%L}}'");
   script.line("set yrange [{}:{}]", log ? 0.5 * least : 0, (log ? 4 : 1.25) * most);
   if (!lines.empty()) {
@@ -264,7 +264,7 @@ std::string parameters(const HeldDisk& disk) {
 }
 
 std::string curves_figure(const std::vector<NamedDisk>& columns) {
-  const double count = static_cast<double>(columns.size()), width = 200 + 560 * count;
+  const double count = static_cast<double>(columns.size()), width = 200 + 570 * count;
   Script script;
   begin_picture(script, width, 820, true);
   headline(script, columns.front().name, 0.97);
@@ -272,7 +272,7 @@ std::string curves_figure(const std::vector<NamedDisk>& columns) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const HeldDisk& disk = columns[k].disk;
     const double share = 1 / count, left = share * static_cast<double>(k);
-    const double from = left + 95 / width, to = left + share - 30 / width;
+    const double from = left + 105 / width, to = left + share - 30 / width;
     script.line("set title '{}' offset 0,-0.5", parameters(disk));
     place(script, from, to, 0.49, 0.91);
     script.line("set key {}", k + 1 == columns.size() ? "on" : "off");
@@ -318,7 +318,7 @@ std::string postures_figure(const NamedDisk& named) {
   const HeldDisk& disk = named.disk;
   const Grasp<2> grasp = grasp_of(disk);
   const std::vector<study::Minimum> marked = marked_postures(disk);
-  const double count = static_cast<double>(marked.size()), width = 470 * count, height = 560;
+  const double count = static_cast<double>(marked.size()), width = 520 * count, height = 560;
   Script script;
   begin_picture(script, width, height);
   headline(script, named.name + ": " + parameters(disk), 0.955);
@@ -327,11 +327,12 @@ std::string postures_figure(const NamedDisk& named) {
     const study::Minimum& minimum = marked[k];
     const double left = static_cast<double>(k) / count;
     place(script, left, left + 1 / count, 0.09, 0.85);
-    const PlanarPosture posture = posture_at(grasp, {.angle = minimum.theta,
-                                                     .from = minimum.theta,
-                                                     .to = minimum.theta,
-                                                     .effort = minimum.V,
-                                                     .kind = minimum.kind});
+    const PlanarPosture posture =
+        posture_at(grasp, {.angle = minimum.theta,
+                           .from = minimum.theta,
+                           .to = minimum.theta,
+                           .effort = minimum.V,
+                           .kind = minimum.name == 'b' ? Kind::kink : minimum.kind});
     script.line("set title '{}: θ = {}, force norm {}' offset 0,-1", minimum.name,
                 degrees_text(minimum.theta), newtons(std::sqrt(minimum.V)));
     script.line("set key {}", minimum.name == 'b' || marked.size() == 2 ? "on" : "off");
