@@ -390,10 +390,10 @@ TEST_F(Plot, PaperWritesItsFiguresTableAndFindings) {
   EXPECT_NE(contents(out / "minima.txt").find("15.7830      300.0000"), std::string::npos);
   const std::string findings = contents(out / "findings.md");
   for (int number = 1; number <= 7; ++number)
-    EXPECT_NE(findings.find("## " + std::to_string(number) + ". "), findings.npos) << number;
+    EXPECT_NE(findings.find("## " + std::to_string(number) + ". "), std::string::npos) << number;
   // The page of the documentation tells these numbers.
-  EXPECT_NE(findings.find("7259 of 20000"), findings.npos);
-  EXPECT_NE(findings.find("| Fig. 6 | 165.00° | cradled | 80.3848 |"), findings.npos);
+  EXPECT_NE(findings.find("7259 of 20000"), std::string::npos);
+  EXPECT_NE(findings.find("| Fig. 6 | 165.00° | cradled | 80.3848 |"), std::string::npos);
 }
 
 TEST_F(Plot, PaperTakesAnyDisk) {

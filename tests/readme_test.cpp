@@ -142,17 +142,17 @@ TEST(Documentation, PaperTellsWhatIsMeasured) {
     std::getline(row, cell, '|');  // before the first
     std::getline(row, cell, '|');  // what it is
     while (std::getline(row, cell, '|')) {
-      if (cell.find_first_of("0123456789") == cell.npos || cell.find("e-") != cell.npos ||
-          cell.find("rad") != cell.npos)
+      if (cell.find_first_of("0123456789") == std::string::npos ||
+          cell.find("e-") != std::string::npos || cell.find("rad") != std::string::npos)
         continue;
       ++cells;
       cell = cell.substr(1, cell.size() - 2);
-      EXPECT_NE(findings.find(cell), findings.npos) << line;
+      EXPECT_NE(findings.find(cell), std::string::npos) << line;
     }
   }
   EXPECT_EQ(cells, 18);
-  EXPECT_NE(replaced(page, ",", "").find("7259 of 20000"), page.npos);
-  EXPECT_NE(findings.find("7259 of 20000"), findings.npos);
+  EXPECT_NE(replaced(page, ",", "").find("7259 of 20000"), std::string::npos);
+  EXPECT_NE(findings.find("7259 of 20000"), std::string::npos);
 }
 
 }  // namespace
