@@ -1,6 +1,5 @@
 #include "arc.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <type_traits>
 
@@ -13,7 +12,7 @@ constexpr double pi = 3.14159265358979323846;
 template <class T>
 constexpr double rounding_of = std::is_same_v<T, double> ? 4e-15 : 1e-30;
 template <class T>
-constexpr double singular = std::is_same_v<T, double> ? 1e-10 : 1e-28;
+constexpr double singular = std::is_same_v<T, double> ? 1e-6 : 1e-28;
 
 }  // namespace
 
@@ -72,21 +71,26 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
     M.col(2).setZero();
     M(2, 2) = M.trace();
   }
-  dual::Screw<2, T> scale;
-  for (int k = 0; k < 3; ++k) {
-    if (!(M(k, k) > 0)) return false;
-    scale[k] = 1 / sqrt(M(k, k));
-  }
-  const dual::Square<2, T> scaled = scale.asDiagonal() * M * scale.asDiagonal();
-  const T pivot = 1 - scaled(0, 1) * scaled(0, 1);
-  if (!(pivot > singular<T>) || !(scaled.determinant() > singular<T> * pivot)) return false;
-  const dual::Square<2, T> inverse = scale.asDiagonal() * scaled.inverse() * scale.asDiagonal();
+  dual::Square<2, T> inverse;  // by Cramer's rule
+  inverse << M(1, 1) * M(2, 2) - M(1, 2) * M(1, 2), M(0, 2) * M(1, 2) - M(0, 1) * M(2, 2),
+      M(0, 1) * M(1, 2) - M(0, 2) * M(1, 1), T(0), M(0, 0) * M(2, 2) - M(0, 2) * M(0, 2),
+      M(0, 1) * M(0, 2) - M(0, 0) * M(1, 2), T(0), T(0), M(0, 0) * M(1, 1) - M(0, 1) * M(0, 1);
+  const T determinant =
+      M(0, 0) * inverse(0, 0) + M(0, 1) * inverse(0, 1) + M(0, 2) * inverse(0, 2);
+  const T upright = M(0, 0) * M(1, 1), plane = inverse(2, 2);
+  if (!(plane > singular<T> * upright) || !(determinant > singular<T> * plane * M(2, 2)))
+    return false;
+  inverse(1, 0) = inverse(0, 1);
+  inverse(2, 0) = inverse(0, 2);
+  inverse(2, 1) = inverse(1, 2);
+  inverse *= 1 / determinant;
 
   // y and the forces, refined in the forces: see dual.cpp, polish.
   Affine<3> Y = Affine<3>::Zero(), residual = Affine<3>::Zero();
   residual(0, 2) = residual(1, 1) = 1;  // w
   for (Contact& contact : contacts_) {
     contact.F.setZero();
+    contact.Z.setZero();
     contact.F.col(0) = contact.face.f0;
     residual.col(0) -= contact.G * contact.face.f0;
   }
@@ -99,20 +103,25 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
     residual.setZero();
     residual(0, 2) = residual(1, 1) = 1;
     for (Contact& contact : contacts_) {
-      contact.F += contact.face.P * (contact.G.transpose() * dY);
+      const Affine<2> dZ = contact.G.transpose() * dY;
+      contact.Z += dZ;
+      contact.F += contact.face.P * dZ;
       // Exactly on the edge: what rounding adds beside it would be taken for a balance.
       if (contact.face.edge) contact.F.row(1) = contact.face.sign * contact.mu * contact.F.row(0);
       residual -= contact.G * contact.F;
       largest_force = std::max(largest_force, contact.F.cwiseAbs().maxCoeff());
     }
   }
-  if (free_turn) Y.row(2) = turn_at(reach, Y);
+  if (free_turn) {
+    Y.row(2) = turn_at(reach, Y);
+    for (Contact& contact : contacts_) contact.Z = contact.G.transpose() * Y;
+  }
 
   const double rounding_f = 1e-12 * static_cast<double>(largest_force);
   const double rounding_y = 1e-12 * static_cast<double>(Y.cwiseAbs().maxCoeff());
   arc.V = {};
   for (const Contact& contact : contacts_) {
-    for_each_condition(contact, Y, [&](const Row& g, bool of_force) {
+    for_each_condition(contact, [&](const Row& g, bool of_force) {
       reach.keep(g.template cast<double>(), of_force ? rounding_f : rounding_y);
     });
     const Eigen::Matrix<double, 2, 3> F = contact.F.template cast<double>();
@@ -136,12 +145,10 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
 /// stays on it, and that z stays over it.
 template <class T>
 template <class Function>
-void ArcSolver<T>::for_each_condition(const Contact& contact, const Affine<3>& Y,
-                                      const Function& f) const {
-  const auto& [G, mu, edge, lo, hi, face, F] = contact;
+void ArcSolver<T>::for_each_condition(const Contact& contact, const Function& f) {
+  const auto& [G, mu, edge, lo, hi, face, F, Z] = contact;
   const bool free = !face.at_lo && !face.at_hi;
   const auto constant = [](const T& value) { return Row(value, 0, 0); };
-  const Affine<2> Z = G.transpose() * Y;
   const Row n = F.row(0), t = F.row(1), zn = Z.row(0), side = T(face.sign) * Z.row(1);
   const Row along = face.edge ? Row((zn + mu * side) * edge) : zn;
   if (face.edge && face.at_lo && lo == 0) {  // the apex
@@ -172,10 +179,13 @@ typename ArcSolver<T>::Row ArcSolver<T>::turn_at(const Reach& reach, const Affin
   Row at_least = Row::Zero(), at_most = Row::Zero();
   for (const Contact& contact : contacts_) {
     std::vector<Row> base, both;  // conditions at angular velocity 0 and 1
-    for_each_condition(contact, still, [&](const Row& g, bool of_force) {
+    Contact with = contact;
+    with.Z = contact.G.transpose() * still;
+    for_each_condition(with, [&](const Row& g, bool of_force) {
       if (!of_force) base.push_back(g);
     });
-    for_each_condition(contact, turning, [&](const Row& g, bool of_force) {
+    with.Z = contact.G.transpose() * turning;
+    for_each_condition(with, [&](const Row& g, bool of_force) {
       if (!of_force) both.push_back(g);
     });
     for (std::size_t k = 0; k < base.size(); ++k) {

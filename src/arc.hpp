@@ -53,11 +53,11 @@ class ArcSolver {
     Eigen::Matrix<T, 3, 2> G;  ///< its columns of the grasp matrix
     T mu, edge, lo, hi;
     dual::Face<T> face;
-    Affine<2> F;  ///< its force
+    Affine<2> F, Z;  ///< its force, and G^T y
   };
 
   template <class Function>
-  void for_each_condition(const Contact& contact, const Affine<3>& Y, const Function& f) const;
+  static void for_each_condition(const Contact& contact, const Function& f);
   Row turn_at(const Reach& reach, const Affine<3>& Y) const;
 
   std::vector<Contact> contacts_;

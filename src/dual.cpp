@@ -207,7 +207,7 @@ bool polish(const Cones<2>& grasp, const Wrench<2>& w, double tolerance, Point<2
     trial.residual = balance;
   }
   const double effort = squared_norm(trial);
-  if (size<2, double>(trial.residual) > std::max(delta, 1e-15 * scale)) return false;
+  if (size<2, double>(trial.residual) > std::max(0.5 * delta, 1e-15 * scale)) return false;
   Point<2> proof = trial;
   evaluate<2, double>(grasp, w, trial.y, proof);
   if (std::abs(effort - 2 * proof.value) > 1e3 * tolerance * effort) return false;
@@ -360,7 +360,7 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
         return true;
       if ((settled || error <= delta / 2 + 1e-14 * span(point.y)) && polish(grasp, w, 1e-13, point))
         return !above_cap();
-      if (unbounded && error <= delta) return true;
+      if (unbounded && error <= 0.5 * delta) return true;
     }
 
     M = cuts > 1 ? Square<Dim, T>(curvature_here() + T(0.5) * M) : curvature_here();
@@ -400,7 +400,7 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
     }
     cuts = cut ? cuts + 1 : 0;
   }
-  return size<Dim, T>(point.residual) <= delta;
+  return size<Dim, T>(point.residual) <= 0.5 * delta;
 }
 
 /// From the y that is pulled towards 0 by rho: the direction from what can be balanced to w, as a
@@ -458,9 +458,10 @@ bool decide(const Cones<2, Wide>& cones, const Wrench<2>& w, double force_cap,
     ascend<2, Wide>(cones, load, Screw<2, Wide>(point.y), infinity, rho, point);
     const Wide missing = size<2, Wide>(point.residual + Wide(rho) * point.y);
     if (missing <= 0.9 * delta && !within) within = point;
-    if (missing > 1e-3 * delta) continue;
-    within = point;
-    break;
+    if (missing <= 1e-3 * delta) {
+      within = point;
+      break;
+    }
   }
   if (within) {
     point = *within;

@@ -42,20 +42,21 @@ void check(const HoldSettings& settings) {
     throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
 }
 
-/// A contact's force in newtons, from the solver's units. Selects instead of branches: which
-/// contacts are loaded is hard to foresee.
-ContactForce<2> contact_force(const Contact<2>& contact, const Vector<2>& scaled, double unit,
-                              double near) {
-  ContactForce<2> force;
-  force.normal = scaled[0] * unit;
-  force.tangential = scaled[1] * unit;
-  const bool loaded = force.normal > near;
-  const double most = contact.friction * force.normal;
-  const double used = most > 0 ? std::min(1.0, std::abs(force.tangential) / most) : 1;
-  force.friction_used = loaded ? used : 0;
-  force.state = static_cast<ContactState>(loaded ? 1 + (used >= 1 - at_limit) : 0);
-  force.limit = ForceLimit::none;
-  return force;
+/// The forces of one lane of contacts in newtons. Without a branch: which contacts are loaded is
+/// hard to foresee. Adds what they cost to `effort`.
+void write_forces(const ContactLane<2>& contacts, const dual::LaneForces<2, double>& lane,
+                  double near, Lane& effort, ContactForce<2>* forces, std::size_t count) {
+  const Lane zero{}, n = lane.f[0], t = lane.f[1];
+  effort += n * n + t * t;
+  const Lane share = (t < zero ? -t : t) / (contacts.mu * n);  // 0 / 0 without friction
+  const Lane used = share < 1.0 ? share : zero + 1;
+  const auto loaded = n * contacts.unit > near, slips = used >= 1 - at_limit;
+  const Lane normal = n * contacts.unit, tangential = t * contacts.unit;
+  const Lane friction_used = loaded ? used : zero;
+  const auto state = (loaded & 1) + (loaded & slips & 1);
+  for (std::size_t k = 0; k < count; ++k)
+    forces[k] = {normal[k], tangential[k], friction_used[k], static_cast<ContactState>(state[k]),
+                 ForceLimit::none};
 }
 
 ForceLimit limit_of(const Contact<2>& contact, double normal, double near) {
@@ -84,15 +85,14 @@ Hold<2> solve(const Grasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
                            grasp.radius() > 0 ? std::abs(point.residual[2]) : 0);
   hold.forces.resize(scaled.size);
   const double near = at_limit * weight;
-  double effort = 0;
-  for (std::size_t i = 0; i < scaled.size; ++i) {
-    const Vector<2> f = point.f(i);
-    effort += f.squaredNorm();
-    const Contact<2>& contact = grasp.contacts()[i];
-    hold.forces[i] = contact_force(contact, f, scaled.unit[i], near);
-    if (scaled.limited) hold.forces[i].limit = limit_of(contact, hold.forces[i].normal, near);
-  }
-  hold.effort = square * effort;
+  Lane effort{};
+  for (std::size_t i = 0; i < scaled.size; i += lane_size)
+    write_forces(scaled.lanes[i / lane_size], point.lanes[i / lane_size], near, effort,
+                 &hold.forces[i], std::min(lane_size, scaled.size - i));
+  if (scaled.limited)
+    for (std::size_t i = 0; i < scaled.size; ++i)
+      hold.forces[i].limit = limit_of(grasp.contacts()[i], hold.forces[i].normal, near);
+  hold.effort = square * (effort[0] + effort[1]);
   // A long y may ask more for the load itself than for one within the balance tolerance.
   hold.lower_bound = std::min(square * 2 * point.value, hold.effort);
   return hold;

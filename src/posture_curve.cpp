@@ -202,6 +202,10 @@ class Tracer {
 
   /// What of the domain is in no piece.
   void find_undecided(bool circle) {
+    double covered = 0;  // pieces do not overlap
+    for (const Arc& arc : curve_.arcs) covered += arc.to - arc.from;
+    for (const UnholdableArc& gap : curve_.unholdable_arcs) covered += gap.to - gap.from;
+    if (covered >= curve_.domain.to - curve_.domain.from - undecided) return;
     std::vector<Interval> pieces;
     for (const Arc& arc : curve_.arcs) pieces.push_back({arc.from, arc.to});
     for (const UnholdableArc& gap : curve_.unholdable_arcs) pieces.push_back({gap.from, gap.to});
@@ -233,6 +237,7 @@ class Tracer {
              std::any_of(curve_.arcs.begin(), curve_.arcs.end(),
                          [&](const Arc& other) { return !is_sliver(other) && beside(other); });
     };
+    if (std::none_of(curve_.arcs.begin(), curve_.arcs.end(), is_sliver)) return;
     std::vector<Arc> kept;
     for (const Arc& arc : curve_.arcs)
       if (!is_sliver(arc) || !between(arc)) kept.push_back(arc);

@@ -25,7 +25,7 @@ ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
     lane.jx[k] = -r.y();
     lane.jy[k] = r.x();
     lane.share[k] = contact.share;
-    unit.push_back(weight * root);
+    lane.unit[k] = weight * root;
     lane.mu[k] = contact.friction;
     lane.edge[k] = 1 / (1 + contact.friction * contact.friction);
     lane.lo[k] = contact.min_normal / weight / root;
@@ -49,7 +49,7 @@ Cones<2, Wide> widened(const Cones<2>& cones) {
     const ContactLane<2>& c = cones.lanes[i / lane_size];
     const std::size_t k = i % lane_size;
     ContactLane<2, Wide>& w = wide.lanes[i];
-    w = {c.nx[k], c.ny[k], c.jx[k], c.jy[k], 0, c.mu[k], 0, c.lo[k], c.hi[k]};
+    w = {c.nx[k], c.ny[k], c.jx[k], c.jy[k], 0, c.mu[k], 0, c.lo[k], c.hi[k], c.unit[k]};
     w.share = w.nx * w.nx + w.ny * w.ny;
     w.edge = 1 / (1 + w.mu * w.mu);
   }

@@ -41,6 +41,7 @@ struct ContactLane<2, T> {
   LaneOf<T> share;
   LaneOf<T> mu, edge;  ///< friction; 1 / (1 + mu^2), squared normal part of the cone's unit edge
   LaneOf<T> lo, hi;    ///< limits of the normal force
+  LaneOf<T> unit;      ///< of its forces: W sqrt(share) [N]
 };
 
 /// The contacts, in numbers of type T: the grasp matrix and the friction cones.
@@ -57,7 +58,6 @@ struct ScaledGrasp : Cones<Dim> {
 
   double length;      ///< L [m], or 1 where every contact is at the centre of mass
   double per_weight;  ///< 1 / W [1/N]
-  std::vector<double> unit;  ///< of each contact's forces: W sqrt(share) [N]
   /// Pseudo-inverse of G G^T: the dual of a load while no contact is at the border of its cone.
   Eigen::Matrix<double, wrench_size<Dim>, wrench_size<Dim>> inverse;
 };
