@@ -160,7 +160,7 @@ void mark(Script& script, const HeldDisk& disk, bool effort) {
 void draw_bounds(Script& script, const HeldDisk& disk) {
   const AlphaAxis axis = alpha_axis(disk);
   posture_axis(script, disk);
-  script.line("set ylabel 'internal force α [N]' offset 1.5,0\nset xtics format ''");
+  script.line("set ylabel 'internal force α [N]' offset 0.4,0\nset xtics format ''");
   if (axis.stretched)
     script.line("set nonlinear y via asinh(y/{0}) inverse {0}*sinh(y)", axis.weight);
   script.line("set yrange [{}:{}]", axis.bottom, axis.top);
@@ -443,7 +443,7 @@ std::string minimum_figure(const std::vector<NamedDisk>& disks) {
   script.line("set border 3 lc rgb '{}'\nset tics nomirror out\nset logscale xy", line_colour);
   script.line("set xrange [{0}:{1}]\nset yrange [{0}:{1}]", low, high);
   script.line("set tics format '10^{{%L}}'");
-  script.line("set xlabel 'μ₁ − cot φ'\nset ylabel 'μ₂ − cot φ' offset 2,0");
+  script.line("set xlabel 'μ₁ − cot φ'\nset ylabel 'μ₂ − cot φ' offset 0.6,0");
   for (std::size_t k = 0; k < angles.size(); ++k) {
     const double phi = angles[k], least = 1 / std::tan(phi);
     const double left = static_cast<double>(k) / count;
