@@ -75,8 +75,7 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
   inverse << M(1, 1) * M(2, 2) - M(1, 2) * M(1, 2), M(0, 2) * M(1, 2) - M(0, 1) * M(2, 2),
       M(0, 1) * M(1, 2) - M(0, 2) * M(1, 1), T(0), M(0, 0) * M(2, 2) - M(0, 2) * M(0, 2),
       M(0, 1) * M(0, 2) - M(0, 0) * M(1, 2), T(0), T(0), M(0, 0) * M(1, 1) - M(0, 1) * M(0, 1);
-  const T determinant =
-      M(0, 0) * inverse(0, 0) + M(0, 1) * inverse(0, 1) + M(0, 2) * inverse(0, 2);
+  const T determinant = M(0, 0) * inverse(0, 0) + M(0, 1) * inverse(0, 1) + M(0, 2) * inverse(0, 2);
   const T upright = M(0, 0) * M(1, 1), plane = inverse(2, 2);
   if (!(plane > singular<T> * upright) || !(determinant > singular<T> * plane * M(2, 2)))
     return false;
@@ -135,9 +134,8 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
     }
   }
   for (int k = 0; k < 3; ++k)
-    arc.y[static_cast<std::size_t>(k)] = {static_cast<double>(Y(k, 0)),
-                                          static_cast<double>(Y(k, 1)),
-                                          static_cast<double>(Y(k, 2))};
+    arc.y[static_cast<std::size_t>(k)] = {
+        static_cast<double>(Y(k, 0)), static_cast<double>(Y(k, 1)), static_cast<double>(Y(k, 2))};
   return true;
 }
 
@@ -220,9 +218,9 @@ ArcState ArcSolver<T>::state(std::size_t i) const {
   return {vanishes(n) ? ContactState::unloaded
           : slips     ? ContactState::slipping
                       : ContactState::sticking,
-          at(contact.hi)                       ? ForceLimit::max
+          at(contact.hi)                     ? ForceLimit::max
           : contact.lo > 0 && at(contact.lo) ? ForceLimit::min
-                                               : ForceLimit::none};
+                                             : ForceLimit::none};
 }
 
 template class ArcSolver<double>;

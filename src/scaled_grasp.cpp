@@ -8,8 +8,7 @@ namespace poise {
 
 template <>
 ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
-    : length(grasp.radius() > 0 ? grasp.radius() : 1),
-      per_weight(1 / grasp.object().weight) {
+    : length(grasp.radius() > 0 ? grasp.radius() : 1), per_weight(1 / grasp.object().weight) {
   size = grasp.contacts().size();
   lanes.resize((size + lane_size - 1) / lane_size);
   std::fill(lanes.begin(), lanes.end(), ContactLane<2>{});
