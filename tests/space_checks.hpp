@@ -74,8 +74,8 @@ inline Force answer_to(const Contact<3>& contact, const Twist<3>& y) {
   for (const Real n_cut : {std::clamp(zn, lo, hi), lo, hi}) {
     if (!std::isfinite(n_cut)) continue;
     const Real t = std::min(side, mu * n_cut);
-    const auto distance = [&](Real a, Real b) { return std::hypot(a - zn, b - side); };
-    if (distance(n_cut, t) < distance(best_n, best_t)) {
+    const auto nearness = [&](Real a, Real b) { return a * (2 * zn - a) + b * (2 * side - b); };
+    if (nearness(n_cut, t) > nearness(best_n, best_t)) {
       best_n = n_cut;
       best_t = t;
     }
@@ -139,8 +139,8 @@ inline Real imbalance(const Grasp<3>& grasp, const Real6& w, const std::vector<F
     const Contact<3>& contact = grasp.contacts()[i];
     const Real3 f = force_vector(contact, forces[i]);
     force -= f;
-    moment -= (contact.position.cast<Real>() - com).cross(f) +
-              forces[i].moment * normal_of(contact);
+    moment -=
+        (contact.position.cast<Real>() - com).cross(f) + forces[i].moment * normal_of(contact);
   }
   const Real weight = grasp.object().weight, length = grasp.radius();
   return std::max(force.norm() / weight, length > 0 ? moment.norm() / (weight * length) : Real{0});
