@@ -44,6 +44,18 @@ struct ContactLane<2, T> {
   LaneOf<T> unit;      ///< of its forces: W sqrt(share) [N]
 };
 
+/// In space the friction cone is round in (t1, t2, m / gamma'), with gamma' = gamma / (mu L).
+template <class T>
+struct ContactLane<3, T> {
+  LaneOf<T> n[3], a[3], b[3];  ///< inward normal and tangents, times sqrt(share)
+  LaneOf<T> r[3];              ///< from the com to the contact
+  LaneOf<T> soft;              ///< gamma'; 0 for a hard finger
+  LaneOf<T> share;
+  LaneOf<T> mu, edge;  ///< as in the plane
+  LaneOf<T> lo, hi;
+  LaneOf<T> unit;
+};
+
 /// The contacts, in numbers of type T: the grasp matrix and the friction cones.
 template <int Dim, class T = double>
 struct Cones {
@@ -64,5 +76,6 @@ struct ScaledGrasp : Cones<Dim> {
 
 /// The same contacts in wider numbers.
 Cones<2, Wide> widened(const Cones<2>& cones);
+Cones<3, Wide> widened(const Cones<3>& cones);
 
 }  // namespace poise
