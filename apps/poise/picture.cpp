@@ -154,8 +154,8 @@ std::string picture(const GraspFile& file, const Grasp<2>& grasp, const BestPost
   std::string posture_title = "cannot be held";
   if (posture)
     posture_title =
-        fmt::format("{} posture: {}, grip force {}", best.pinched ? "best pinched" : "best",
-                    degrees_text(scene.theta), newtons(grip_force(grasp, posture->hold)));
+        fmt::format("{} posture: {}, force norm {}", best.pinched ? "best pinched" : "best",
+                    degrees_text(scene.theta), newtons(std::sqrt(posture->hold.effort)));
 
   Script script;
   begin_picture(script, picture_width, picture_height);
