@@ -106,9 +106,11 @@ class Search {
 
  private:
   Polytope box() const { return Polytope(std::sqrt(t_ * shares_)); }
-  /// The effort whose level set is cut: with limits the rows' right-hand sides depend on it.
+  /// The effort whose level set is cut: with limits the rows' right-hand sides depend on it. Where
+  /// nothing holds, a little above the cap, which proofs exceed by a tenth.
   double target() const {
-    return (1 - gap_) * (1 + 1e-3 * gap_) * std::min({best_V_, relaxed_, 4 * cap_ * cap_});
+    return std::min((1 - gap_) * (1 + 1e-3 * gap_) * std::min(best_V_, relaxed_),
+                    1.01 * cap_ * cap_);
   }
   double right_hand_side(const Row& row) const;
   bool cut(std::size_t row, std::size_t hint);
@@ -322,10 +324,11 @@ void Search::run() {
       }
       if (there_still()) polytope_[far].tried = true;
     }
-    // The best may be at the border of what can be held: go there from the inside.
+    // Vertices lie outside of what can be held: look for the best from the inside, too.
     unholdable_in_a_row_ = e.V < infinity ? 0 : unholdable_in_a_row_ + 1;
-    if (unholdable_in_a_row_ > 1 && best_V_ < infinity && (up + best_up_).norm() > 1e-3)
-      visit((up + best_up_).normalized(), nullptr);
+    if (unholdable_in_a_row_ < 2) continue;
+    const Vector<3> middle = best_V_ < infinity ? Vector<3>(up + best_up_) : polytope_.middle();
+    if (middle.norm() > 1e-3) visit(snapped(middle, planes), nullptr);
   }
 }
 
@@ -346,6 +349,8 @@ double Search::lower_bound() {
     (radius() <= 1 ? least : most) = t_;
   }
   t_ = least;
+  polytope_ = box();
+  for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
   return safe * least;
 }
 
