@@ -54,11 +54,11 @@ void check_com(Doubts& doubts, const Vector<2>& com, const Shape& shape) {
 void check_normal(Doubts& doubts, const std::string& contact, const GraspFile& file,
                   const Vector<2>& position, const Vector<2>& normal) {
   if (file.shape) {
-    const Boundary b = boundary(*file.shape, position);
+    const Boundary<2> b = boundary(*file.shape, position);
     if (b.distance > boundary_tolerance * size(*file.shape)) {
       doubts.add(contact + ".position",
                  "is " + number_text(b.distance, 3) + " m from the boundary of the shape");
-    } else if (!b.corner) {
+    } else if (b.corner.empty()) {
       const double angle = std::acos(std::clamp(b.normal.dot(normal), -1.0, 1.0)) / degree;
       if (angle > 5)
         doubts.add(contact + ".normal", "is " + number_text(angle, 3) +
