@@ -139,8 +139,8 @@ inline Real imbalance(const Grasp<3>& grasp, const Real6& w, const std::vector<F
     const Contact<3>& contact = grasp.contacts()[i];
     const Real3 f = force_vector(contact, forces[i]);
     force -= f;
-    moment -= (contact.position.cast<Real>() - com).cross(f) +
-              forces[i].moment * normal_of(contact);
+    moment -=
+        (contact.position.cast<Real>() - com).cross(f) + forces[i].moment * normal_of(contact);
   }
   const Real weight = grasp.object().weight, length = grasp.radius();
   return std::max(force.norm() / weight, length > 0 ? moment.norm() / (weight * length) : Real{0});

@@ -18,7 +18,7 @@ std::string tilt_text(const Tilt& tilt) {
 
 /// Postures to choose from, in a sentence.
 std::string scope(const SpatialSettings& settings) {
-  return settings.tilt ? " that is " + tilt_text(*settings.tilt) : "";
+  return settings.tilt ? " " + tilt_text(*settings.tilt) : "";
 }
 
 /// "turn by 30.00° about (0.000, 1.000, 0.000)"
@@ -85,15 +85,14 @@ std::string optima_text(const std::vector<Grasp<3>>& grasps,
 
 /// How sure the best is.
 std::string proof_text(const BestSpatialPosture& best, const SpatialSettings& settings) {
-  const std::string holds = fmt::format("{} holds", best.holds);
   if (best.status == Status::optimal)
     return fmt::format(
-        "Proven in {}: no posture{} needs an effort lower by more than {:.1g} of it.", holds,
-        scope(settings), std::max(best.relative_gap, 1e-12));
+        "Proven with {} holds: the effort of no posture{} is lower by more than a part of {:.1g}.",
+        best.holds, scope(settings), std::max(best.relative_gap, 1e-12));
   return fmt::format(
-      "Not proven: after {} the gap is {:.2g}, and {:.2g} was wanted. A posture{} that needs down "
-      "to {} N² is not excluded; more holds (--max-holds) may close the gap.",
-      holds, best.relative_gap, settings.gap, scope(settings), plain(best.lower_bound));
+      "Not proven: a gap of {:.2g} was wanted, after {} holds it is {:.2g}. A posture{} may exist "
+      "that needs an effort of only {} N²; more holds (--max-holds) may tell.",
+      settings.gap, best.holds, best.relative_gap, scope(settings), plain(best.lower_bound));
 }
 
 /// Why no posture is shown.
@@ -153,7 +152,7 @@ std::string best_report(const SpatialFile& file, const std::vector<Grasp<3>>& gr
   std::vector<std::pair<std::string, const SpatialPosture*>> shown{{"best", &lowest}};
   if (differ) shown.emplace_back("best pinched", pinched);
 
-  Table summary({"<", "", "", "<", "<"}), rotations({"<", "w", "x", "y", "z"});
+  Table summary({"<", "up", "", "<", "<"}), rotations({"<", "w", "x", "y", "z"});
   if (present.known)
     add_posture(summary, "now", grasps, hold_all(grasps, now, {settings.force_cap}), "");
   for (const auto& [which, posture] : shown) {
