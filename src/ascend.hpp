@@ -1,5 +1,5 @@
-// How the dual of holding is maximised, in any dimension and numbers of any type: what dual.cpp (the
-// plane) and dual_space.cpp share. Not installed.
+// How the dual of holding is maximised, in any dimension and numbers of any type: what dual.cpp
+// (the plane) and dual_space.cpp share. Not installed.
 #pragma once
 
 #include <algorithm>

@@ -176,7 +176,8 @@ template <class T>
 Eigen::Matrix<T, 3, 2> columns(const Cones<2, T>& cones, std::size_t contact) {
   const ContactLane<2, T>& c = cones.lanes[contact / lane_size_of<T>];
   const std::size_t k = contact % lane_size_of<T>;
-  const T nx = element(c.nx, k), ny = element(c.ny, k), jx = element(c.jx, k), jy = element(c.jy, k);
+  const T nx = element(c.nx, k), ny = element(c.ny, k), jx = element(c.jx, k),
+          jy = element(c.jy, k);
   Eigen::Matrix<T, 3, 2> G;
   G << nx, -ny, ny, nx, nx * jx + ny * jy, nx * jy - ny * jx;
   return G;

@@ -39,7 +39,7 @@ struct Point {
 
   Screw<Dim, T> y;
   SmallVector<LaneForces<Dim, T>, 16 / lane> lanes;
-  T value;               ///< yᵀw − φ(Gᵀy): half a lower bound on the effort
+  T value;                 ///< yᵀw − φ(Gᵀy): half a lower bound on the effort
   Screw<Dim, T> residual;  ///< w − G f: the gradient
 
  private:
@@ -66,8 +66,7 @@ template <class T>
 Eigen::Matrix<T, 3, 2> columns(const Cones<2, T>& cones, std::size_t contact);
 /// edge: 1 / (1 + mu^2).
 template <class T>
-Face<T> face(const T& mu, const T& edge, const T& lo, const T& hi,
-             const Eigen::Matrix<T, 2, 1>& z);
+Face<T> face(const T& mu, const T& edge, const T& lo, const T& hi, const Eigen::Matrix<T, 2, 1>& z);
 template <class T>
 Face<T> face(const Cones<2, T>& cones, std::size_t contact, const Eigen::Matrix<T, 2, 1>& z) {
   const ContactLane<2, T>& c = cones.lanes[contact / lane_size_of<T>];

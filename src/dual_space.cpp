@@ -74,8 +74,8 @@ void evaluate_space(const Cones<3, T>& cones, const Screw<3, T>& w, const Screw<
 }
 
 /// DΠ of a contact is kappa I + [e_n d] S [e_n d]ᵀ, with d the direction of z's tangential part:
-/// inside kappa = 1; beside the cone kappa = |t| / |z_t|, the curvature of the round cone, and along
-/// its edge 1.
+/// inside kappa = 1; beside the cone kappa = |t| / |z_t|, the curvature of the round cone, and
+/// along its edge 1.
 template <bool limited, class T>
 Square<3, T> curvature_space(const Cones<3, T>& cones, const Point<3, T>& point) {
   using L = LaneOf<T>;

@@ -111,8 +111,7 @@ std::vector<FingerForce<3>> finger_forces(const Grasp<3>& grasp, const Hold<3>& 
   for (std::size_t i = 0; i < hold.forces.size(); ++i) {
     FingerForce<3>& finger = fingers[grasp.finger_of(i)];
     finger.normal += hold.forces[i].normal;
-    finger.force +=
-        hold.forces[i].normal * grasp.contacts()[i].normal + hold.forces[i].tangential;
+    finger.force += hold.forces[i].normal * grasp.contacts()[i].normal + hold.forces[i].tangential;
   }
   return fingers;
 }

@@ -42,10 +42,9 @@ Vector<3> nearest_in_hull(const std::vector<Vector<3>>& points) {
   std::vector<Vector<3>> active = {points.front()};
   Vector<3> nearest = active.front();
   for (int step = 0; step < 1000 && nearest.norm() > 1e-10; ++step) {
-    const Vector<3>& farthest =
-        *std::min_element(points.begin(), points.end(), [&](const Vector<3>& a, const Vector<3>& b) {
-          return a.dot(nearest) < b.dot(nearest);
-        });
+    const Vector<3>& farthest = *std::min_element(
+        points.begin(), points.end(),
+        [&](const Vector<3>& a, const Vector<3>& b) { return a.dot(nearest) < b.dot(nearest); });
     if (farthest.dot(nearest) >= 0.999 * nearest.squaredNorm() || active.size() > 3) break;
     active.push_back(farthest);
     nearest = nearest_of(active);
