@@ -218,6 +218,234 @@ TEST_F(Space, AScenarioThatCannotBeHeldDecides) {
   EXPECT_NE(run.out.find("in scenario 1 it would"), run.out.npos) << run.out;
 }
 
+/// Judges the document of `best` by itself; returns it.
+class SpaceBest : public Space {
+ protected:
+  Json best(const std::string& file, const std::string& flags = "") const {
+    const Json check = json("check " + file), document = json("best " + file + " " + flags);
+    EXPECT_EQ(keys(document),
+              (std::set<std::string>{"poise_result", "command", "options", "status", "best",
+                                     "best_pinched", "minima", "minima_complete", "lower_bound",
+                                     "relative_gap", "holds", "rotation", "orientation", "cuts"}));
+    const Json& options = document["options"];
+    EXPECT_EQ(options["domain"], "all");
+    EXPECT_EQ(document["status"], "optimal");
+    EXPECT_EQ(document["minima_complete"], false);
+    EXPECT_EQ(document["best"], document["minima"][0]);
+    for (const Json& minimum : document["minima"]) {
+      judge(minimum, check);
+      // The best is known up to the gap.
+      EXPECT_GE(minimum["effort"].get<double>(),
+                document["best"]["effort"].get<double>() * (1 - options["gap"].get<double>()));
+      EXPECT_GE(minimum["effort"], document["lower_bound"]);
+    }
+    if (!document["best_pinched"].is_null()) {
+      EXPECT_EQ(document["best_pinched"]["manner"], "pinched");
+      EXPECT_EQ(std::count(document["minima"].begin(), document["minima"].end(),
+                           document["best_pinched"]),
+                1);
+    }
+    const double effort = document["best"]["effort"], bound = document["lower_bound"];
+    EXPECT_EQ(document["relative_gap"], (effort - bound) / effort);
+    EXPECT_LE(document["relative_gap"], options["gap"]);
+    EXPECT_LE(document["holds"], options["max_holds"]);
+    judge_turn(document);
+    judge_cuts(document, check);
+    return document;
+  }
+
+  /// The rotation leads from the present orientation to the best posture, the shortest way.
+  static void judge_turn(const Json& document) {
+    const Eigen::Quaterniond before = quaternion(document["options"]["orientation"]),
+                             turn = quaternion(document["rotation"]),
+                             after = quaternion(document["orientation"]);
+    const Vector<3> up = vector(document["best"]["up"]), sky = Vector<3>::UnitZ();
+    EXPECT_LE((after * up - sky).norm(), 1e-9);
+    EXPECT_LE((after.toRotationMatrix() - (turn * before).toRotationMatrix()).norm(), 1e-12);
+    const double angle = document["rotation"]["angle_deg"].get<double>() * degree;
+    EXPECT_NEAR(angle, std::atan2((before * up).cross(sky).norm(), (before * up).dot(sky)), 1e-9);
+    EXPECT_NEAR(angle, 2 * std::acos(std::min(1.0, turn.w())), 1e-7);
+  }
+
+  /// Cuts are valid: no hold that is shown contradicts one. Without limits the y of a cut, times
+  /// any s > 0, says that s y . w(x) <= sqrt(V(x)) |P(G^T s y)|, for every x.
+  static void judge_cuts(const Json& document, const Json& check) {
+    const std::vector<Held> contacts = contacts_of(check);
+    EXPECT_FALSE(document["cuts"].empty());
+    for (const Json& cut : document["cuts"]) {
+      if (cut.contains("n")) {
+        EXPECT_EQ(keys(cut), (std::set<std::string>{"n"}));
+        for (const Json& minimum : document["minima"])
+          EXPECT_LE(vector(cut["n"]).dot(vector(minimum["up"])), 1e-9);
+        continue;
+      }
+      EXPECT_EQ(keys(cut), (std::set<std::string>{"y", "scenario"}));
+      ASSERT_EQ(cut["y"].size(), 6U);
+      const std::size_t scenario = cut["scenario"];
+      ASSERT_LT(scenario, check["scenarios"].size());
+      const Json& object = check["scenarios"][scenario];
+      Vector<3> v, omega;
+      for (int k = 0; k < 3; ++k) {
+        v[k] = cut["y"][static_cast<std::size_t>(k)];
+        omega[k] = cut["y"][static_cast<std::size_t>(k + 3)];
+      }
+      double square = 0;  // of the projection of G^T y on the cones
+      for (const Held& c : contacts) {
+        const Vector<3> z = v + omega.cross(c.position);
+        const double n = z.dot(c.normal), spin = omega.dot(c.normal) * c.torsion;
+        const double t =
+            std::hypot((z - n * c.normal).norm(), c.friction > 0 ? spin / c.friction : 0);
+        square += t <= c.friction * n ? n * n + t * t
+                                      : std::pow(std::max(0.0, n + c.friction * t), 2) /
+                                            (1 + c.friction * c.friction);
+      }
+      for (const Json& minimum : document["minima"]) {
+        const double known = check["scenarios"].size() > 1
+                                 ? minimum["scenario_efforts"][scenario].get<double>()
+                                 : minimum["effort"].get<double>();
+        const Vector<3> up = vector(minimum["up"]), com = vector(object["com"]);
+        const double weight = object["weight"], power = weight * up.dot(v + omega.cross(com));
+        EXPECT_LE(power, std::sqrt(known * square) * (1 + 1e-9) + 1e-12 * v.norm());
+      }
+    }
+  }
+};
+
+TEST_F(SpaceBest, IsWhatItClaims) {
+  write("block.yaml", block);
+  write("ball.yaml", ball);
+  write("filled.yaml", filled);
+  for (const std::string file : {"block.yaml", "ball.yaml", "filled.yaml"}) {
+    const Json document = best(file);
+    EXPECT_EQ(document["options"],
+              Json::parse(R"({"domain": "all", "force_cap": 1000000.0, "gap": 1e-06,
+                              "max_holds": 2000, "orientation": {"w": 1, "x": 0, "y": 0, "z": 0}})"));
+    // No posture that is asked for needs less.
+    for (const std::string up : {"0,0,1", "1,0,0", "0,1,0", "-1,-1,1", "0.1,0.3,-1"}) {
+      const Outcome hold = poise("hold " + file + " --json --up " + up);
+      if (hold.status == 0)
+        EXPECT_GE(Json::parse(hold.out)["effort"], document["lower_bound"]) << file << " " << up;
+    }
+  }
+}
+
+TEST_F(SpaceBest, StaysWithinTheTilt) {
+  write("ball.yaml", ball + "tilt: {from: [1, 0, 0], max_deg: 30}\n");
+  const Json file = best("ball.yaml");
+  EXPECT_NEAR(file["options"]["tilt"]["max_deg"], 30, 1e-12);
+  EXPECT_EQ(file["options"]["tilt"]["from"], Json::parse("[1.0, 0.0, 0.0]"));
+  EXPECT_GE(vector(file["best"]["up"]).x(), std::cos(30 * degree) - 1e-9);
+  // Flags override either part.
+  const Json wider = best("ball.yaml", "--tilt-max 60");
+  EXPECT_NEAR(wider["options"]["tilt"]["max_deg"], 60, 1e-12);
+  EXPECT_LE(wider["lower_bound"], file["best"]["effort"]);
+  EXPECT_LE(wider["best"]["effort"].get<double>(),
+            file["best"]["effort"].get<double>() * (1 + 1e-6));
+  const Json other = best("ball.yaml", "--tilt-from 0,0,2");
+  EXPECT_GE(vector(other["best"]["up"]).z(), std::cos(30 * degree) - 1e-9);
+}
+
+TEST_F(SpaceBest, TurnsFromThePresentOrientation) {
+  write("block.yaml", block);
+  write("turned.yaml", block + "up: [0, 3, 4]\n");
+  const Json plain = best("block.yaml");
+  // Told by `up`, the posture is right, and the heading is the nearest to the world's.
+  const Json turned = best("turned.yaml");
+  const Eigen::Quaterniond now = quaternion(turned["options"]["orientation"]);
+  EXPECT_LE((now * Vector<3>(0, 0.6, 0.8) - Vector<3>::UnitZ()).norm(), 1e-12);
+  EXPECT_EQ(now.z(), 0);
+  // The flag overrides it, in any length.
+  const Json flag = best("turned.yaml", "--orientation 0,2,0,0");
+  EXPECT_EQ(flag["options"]["orientation"], Json::parse(R"({"w": 0, "x": 1, "y": 0, "z": 0})"));
+  const std::string words = poise("best turned.yaml --orientation 0,2,0,0").out;
+  EXPECT_NE(words.find("  (0.000, 0.000, -1.000)  grip force"), words.npos) << words;
+}
+
+TEST_F(SpaceBest, TheForceCapAndTheGapAreAskedFor) {
+  write("ball.yaml", ball);
+  const Json rough = best("ball.yaml", "--gap 0.1 --max-holds 300 --force-cap 50");
+  EXPECT_EQ(rough["options"]["gap"], 0.1);
+  EXPECT_EQ(rough["options"]["max_holds"], 300);
+  EXPECT_EQ(rough["options"]["force_cap"], 50.0);
+  EXPECT_LE(rough["holds"], best("ball.yaml")["holds"]);
+}
+
+TEST_F(SpaceBest, TheUnholdableIsNullsAndProof) {
+  write("slippery.yaml", slippery);
+  const Json document = json("best slippery.yaml", 1);
+  EXPECT_EQ(document["status"], "unholdable");
+  for (const char* key :
+       {"best", "best_pinched", "lower_bound", "relative_gap", "rotation", "orientation"})
+    EXPECT_TRUE(document[key].is_null()) << key;
+  EXPECT_EQ(document["minima"], Json::array());
+  EXPECT_FALSE(document["cuts"].empty());
+  const Outcome run = poise("best slippery.yaml");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.out.find("Cannot be held in any posture."), 0U) << run.out;
+}
+
+TEST_F(SpaceBest, NothingFoundIsNotCalledUnholdable) {
+  write("slippery.yaml", slippery);
+  const Json document = json("best slippery.yaml --max-holds 1", 1);
+  EXPECT_EQ(document["status"], "gap");
+  EXPECT_TRUE(document["best"].is_null());
+  EXPECT_TRUE(document["lower_bound"].is_number());
+  const Outcome run = poise("best slippery.yaml --max-holds 1");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.out.find("That there is none is not"), run.out.npos) << run.out;
+}
+
+TEST_F(SpaceBest, AGapThatIsLeftIsNamed) {
+  write("ball.yaml", ball);
+  const Json document = json("best ball.yaml --gap 1e-9 --max-holds 6");
+  EXPECT_EQ(document["status"], "gap");
+  EXPECT_GT(document["relative_gap"], 1e-9);
+  EXPECT_LE(document["lower_bound"], document["best"]["effort"]);
+  const Outcome run = poise("best ball.yaml --gap 1e-9 --max-holds 6");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.out.find("Not proven: a gap of 1e-09 was wanted, after 6 holds it is"),
+            run.out.npos)
+      << run.out;
+}
+
+TEST_F(SpaceBest, PeopleSeeNewtonsTurnAndProof) {
+  write("filled.yaml", filled + "up: [0, 0, 1]\n");
+  const std::string out = poise("best filled.yaml").out;
+  for (const char* words :
+       {"  now ", "(0.000, 0.000, 1.000)  grip force", "  best ", "turn by", " about (",
+        "Proven with", "a quaternion", "Forces at the best, in scenario", "decides",
+        "Minima found, lowest first; there may be others"})
+    EXPECT_NE(out.find(words), out.npos) << words << "\n" << out;
+  EXPECT_EQ(out.find('\033'), out.npos);
+}
+
+TEST_F(SpaceBest, GivesTheAnswersThatTheExamplesTell) {
+  fs::copy_file(POISE_EXAMPLES "/bottle.yaml", folder() / "bottle.yaml");
+  const Json bottle = best("bottle.yaml");
+  EXPECT_NEAR(bottle["rotation"]["angle_deg"], 91.47, 0.05);
+  EXPECT_NEAR(bottle["best"]["scenario_efforts"][0], bottle["best"]["scenario_efforts"][1], 0.05);
+  const std::string table = poise("best bottle.yaml").out;
+  EXPECT_NE(table.find("(0.000, 0.000, 1.000)  grip force 12.26 N"), table.npos) << table;
+  EXPECT_NE(table.find("grip force 10.90 N  pinched  turn by 91"), table.npos) << table;
+  // What it would be if its filling were known.
+  const std::string text = contents(folder() / "bottle.yaml");
+  const std::size_t full = text.find("    - {mass: 0.75"), empty = text.find("    - {mass: 0.35"),
+                    end = text.find("contacts:");
+  write("full.yaml", std::string(text).erase(empty, end - empty));
+  write("empty.yaml", std::string(text).erase(full, empty - full));
+  const Json if_full = best("full.yaml");
+  EXPECT_NEAR(if_full["rotation"]["angle_deg"], 73, 0.5);
+  // On the other side.
+  EXPECT_LT(vector(if_full["best"]["up"]).x() * vector(bottle["best"]["up"]).x(), 0);
+  EXPECT_NEAR(best("empty.yaml")["rotation"]["angle_deg"], 175, 0.5);
+
+  fs::copy_file(POISE_EXAMPLES "/box-three-fingers.yaml", folder() / "box.yaml");
+  const Json box = best("box.yaml");
+  EXPECT_NEAR(box["rotation"]["angle_deg"], 45, 1e-6);
+  EXPECT_NEAR(box["best"]["grip_force"], 7.302, 0.0005);
+  EXPECT_NEAR(json("hold box.yaml")["grip_force"], 9.471, 0.0005);
+}
+
 TEST_F(Space, RefusesFlagsOfTheOtherDimension) {
   write("block.yaml", block);
   write("plane.yaml",

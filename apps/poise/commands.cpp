@@ -103,7 +103,7 @@ Answer answer_hold(const Arguments& arguments, const SpatialFile& file,
   const HoldSettings settings{.force_cap = arguments.force_cap};
   const SpatialPosture posture = hold_all(grasps, up, settings);
   return {arguments.json ? hold_document(grasps, posture, settings, option)
-                         : hold_report(file, grasps, posture, style_of_output()),
+                         : hold_report(file, grasps, posture, settings, style_of_output()),
           posture.hold.holdable};
 }
 

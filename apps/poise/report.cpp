@@ -62,7 +62,8 @@ std::string turn_text(double from, double to) {
 /// One line of the summary: which posture, its angle, the forces, and how to get there.
 void add_posture(Table& table, const std::string& which, const Grasp<2>& grasp, double theta,
                  const Hold<2>& hold, const std::string& how) {
-  table.add({which, degrees_text(theta), grip_text(grasp, hold),
+  table.add({which, degrees_text(theta),
+             hold.holdable ? "grip force " + newtons(grip_force(grasp, hold)) : "cannot be held",
              hold.holdable ? to_string(manner(grasp, up_at(theta), hold)) : "", how});
 }
 

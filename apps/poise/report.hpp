@@ -22,7 +22,8 @@ std::string curve_report(const PlanarFile& file, const Grasp<2>& grasp, const Po
 std::string check_report(const SpatialFile& file, const std::vector<Grasp<3>>& grasps,
                          const Style& style);
 std::string hold_report(const SpatialFile& file, const std::vector<Grasp<3>>& grasps,
-                        const SpatialPosture& posture, const Style& style);
+                        const SpatialPosture& posture, const HoldSettings& settings,
+                        const Style& style);
 /// How the object is held now; not `known` where nobody said.
 struct Present {
   Eigen::Quaterniond orientation;  ///< object to world

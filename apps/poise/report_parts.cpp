@@ -93,11 +93,6 @@ std::string heading(const std::string& text, const Style& style) {
 }
 
 template <int Dim>
-std::string grip_text(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
-  return hold.holdable ? "grip force " + newtons(grip_force(grasp, hold)) : "cannot be held";
-}
-
-template <int Dim>
 std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const Style& style) {
   const auto fingers = finger_forces(grasp, hold);
   const std::vector<Contact<Dim>>& contacts = grasp.contacts();
@@ -194,7 +189,9 @@ std::string check_text(const CommonFile<Dim>& file, const std::vector<Grasp<Dim>
   }
   if (file.shape) table.add({"shape", shape_text(*file.shape, lengths)});
   if (file.safety != 1)
-    table.add({"safety", "friction divided by " + plain(file.safety) + " (below: after that)"});
+    table.add({"safety", (Dim == 2 ? "friction" : "friction and torsion") +
+                             std::string(" divided by ") + plain(file.safety) +
+                             " (below: after that)"});
   table.add({"fingers",
              fmt::format("{}, with {} contacts", first.fingers().size(), first.contacts().size())});
   table.add({"force closure", force_closure(first) ? "yes, any load can be balanced"
@@ -209,8 +206,6 @@ std::string check_text(const CommonFile<Dim>& file, const std::vector<Grasp<Dim>
   return text;
 }
 
-template std::string grip_text<2>(const Grasp<2>&, const Hold<2>&);
-template std::string grip_text<3>(const Grasp<3>&, const Hold<3>&);
 template std::string forces_table<2>(const Grasp<2>&, const Hold<2>&, const Style&);
 template std::string forces_table<3>(const Grasp<3>&, const Hold<3>&, const Style&);
 template std::string why_pinching_costs<2>(const Grasp<2>&, const Hold<2>&, Manner, const Hold<2>&);

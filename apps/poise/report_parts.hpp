@@ -13,10 +13,6 @@ namespace poise {
 std::string title(const std::string& name, const Style& style);
 std::string heading(const std::string& text, const Style& style);
 
-/// "grip force 12.25 N", or that it cannot be held.
-template <int Dim>
-std::string grip_text(const Grasp<Dim>& grasp, const Hold<Dim>& hold);
-
 /// Forces by contact, and by finger where a finger has several contacts.
 template <int Dim>
 std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const Style& style);

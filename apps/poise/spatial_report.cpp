@@ -34,26 +34,43 @@ std::string reason_text(const std::vector<Grasp<3>>& grasps, const SpatialPostur
   return grasps.size() == 1 ? why : fmt::format("in scenario {} {}", posture.scenario, why);
 }
 
+/// How hard the hardest pressing finger presses in any scenario [N]; none where one cannot be held.
+std::optional<double> grip_of_all(const std::vector<Grasp<3>>& grasps, const Vector<3>& up,
+                                  const HoldSettings& settings) {
+  double most = 0;
+  for (const Grasp<3>& grasp : grasps) {
+    const Hold<3> there = hold<3>(grasp, up, settings);
+    if (!there.holdable) return {};
+    most = std::max(most, grip_force(grasp, there));
+  }
+  return most;
+}
+
 /// What each scenario needs in a posture; nothing where there is but one.
 std::string scenarios_table(const std::vector<Grasp<3>>& grasps, const SpatialPosture& posture,
-                            const Style& style) {
+                            const HoldSettings& settings, const Style& style) {
   if (grasps.size() == 1) return {};
-  double least = 0;
-  for (const double effort : posture.scenario_efforts)
-    if (std::isfinite(effort)) least = least == 0 ? effort : std::min(least, effort);
+  std::vector<Hold<3>> holds;
+  double effort = 0, grip = 0;  // the largest
+  for (const Grasp<3>& grasp : grasps) {
+    holds.push_back(hold<3>(grasp, posture.up, settings));
+    effort = std::max(effort, holds.back().effort);
+    grip = std::max(grip, grip_force(grasp, holds.back()));
+  }
   const Lengths lengths(grasps.front().radius());
   Table table({"scenario", "weight [N]", fmt::format("centre of mass [{}]", lengths.unit),
-               "force norm [N]", "effort [N²]", "<"});
+               "grip force [N]", "force norm [N]", "effort [N²]", "<"});
   for (std::size_t k = 0; k < grasps.size(); ++k) {
-    const double effort = posture.scenario_efforts[k];
-    const bool holds = std::isfinite(effort);
     const Object<3>& object = grasps[k].object();
-    table.add({std::to_string(k), plain(object.weight), lengths.text(object.com),
-               holds ? fixed(std::sqrt(effort), decimals_for(std::sqrt(least))) : "",
-               holds ? fixed(effort, decimals_for(least)) : "",
-               !holds                  ? "cannot be held"
-               : k == posture.scenario ? "decides"
-                                       : ""});
+    std::vector<std::string> row{std::to_string(k), plain(object.weight), lengths.text(object.com)};
+    if (holds[k].holdable)
+      row.insert(row.end(), {fixed(grip_force(grasps[k], holds[k]), decimals_for(grip)),
+                             fixed(std::sqrt(holds[k].effort), decimals_for(std::sqrt(effort))),
+                             fixed(holds[k].effort, decimals_for(effort)),
+                             k == posture.scenario ? "decides" : ""});
+    else
+      row.insert(row.end(), {"", "", "", "cannot be held"});
+    table.add(std::move(row));
   }
   return heading("Scenarios", style) + table.text(style);
 }
@@ -63,17 +80,21 @@ std::string of_scenario(const std::vector<Grasp<3>>& grasps, const SpatialPostur
 }
 
 void add_posture(Table& table, const std::string& which, const std::vector<Grasp<3>>& grasps,
-                 const SpatialPosture& posture, const std::string& how) {
-  table.add({which, direction_text(posture.up), grip_text(grasps[posture.scenario], posture.hold),
-             posture.hold.holdable ? to_string(posture.manner) : "", how});
+                 const SpatialPosture& posture, const HoldSettings& settings,
+                 const std::string& how) {
+  const auto grip = grip_of_all(grasps, posture.up, settings);
+  table.add({which, direction_text(posture.up),
+             grip ? "grip force " + newtons(*grip) : "cannot be held",
+             grip ? to_string(posture.manner) : "", how});
 }
 
 std::string optima_text(const std::vector<Grasp<3>>& grasps,
-                        const std::vector<SpatialPosture>& optima, const Style& style) {
+                        const std::vector<SpatialPosture>& optima, const HoldSettings& settings,
+                        const Style& style) {
   std::vector<OptimumRow> rows;
   for (const SpatialPosture& posture : optima) {
     rows.push_back({direction_text(posture.up),
-                    grip_force(grasps[posture.scenario], posture.hold),
+                    grip_of_all(grasps, posture.up, settings).value_or(0),
                     posture.effort(),
                     {to_string(posture.manner)}});
     if (grasps.size() > 1) rows.back().words.push_back(std::to_string(posture.scenario));
@@ -123,16 +144,17 @@ std::string check_report(const SpatialFile& file, const std::vector<Grasp<3>>& g
 }
 
 std::string hold_report(const SpatialFile& file, const std::vector<Grasp<3>>& grasps,
-                        const SpatialPosture& posture, const Style& style) {
+                        const SpatialPosture& posture, const HoldSettings& settings,
+                        const Style& style) {
   const Grasp<3>& grasp = grasps[posture.scenario];
   const std::string at = "With " + direction_text(posture.up) + " up";
-  const std::string scenarios = scenarios_table(grasps, posture, style);
+  const std::string scenarios = scenarios_table(grasps, posture, settings, style);
   if (!posture.hold.holdable)
     return title(file.name, style) +
            wrapped(at + " it cannot be held: " + reason_text(grasps, posture) + ".") + scenarios;
   return title(file.name, style) +
          fmt::format("{}: grip force {}, {}\n", at,
-                     style.bold(newtons(grip_force(grasp, posture.hold))),
+                     style.bold(newtons(grip_of_all(grasps, posture.up, settings).value_or(0))),
                      to_string(posture.manner)) +
          heading("Forces" + of_scenario(grasps, posture), style) +
          forces_table(grasp, posture.hold, style) + effort_text(posture.effort()) + scenarios;
@@ -145,6 +167,7 @@ std::string best_report(const SpatialFile& file, const std::vector<Grasp<3>>& gr
   const Vector<3> now = present.orientation.conjugate() * Vector<3>::UnitZ();
   if (!best.best) return text + nowhere(grasps, best, settings, now);
 
+  const HoldSettings forces{settings.force_cap};
   const SpatialPosture& lowest = *best.best;
   const SpatialPosture* const pinched = best.best_pinched();
   // The best comes first among the minima.
@@ -153,11 +176,10 @@ std::string best_report(const SpatialFile& file, const std::vector<Grasp<3>>& gr
   if (differ) shown.emplace_back("best pinched", pinched);
 
   Table summary({"<", "up", "", "<", "<"}), rotations({"<", "w", "x", "y", "z"});
-  if (present.known)
-    add_posture(summary, "now", grasps, hold_all(grasps, now, {settings.force_cap}), "");
+  if (present.known) add_posture(summary, "now", grasps, hold_all(grasps, now, forces), forces, "");
   for (const auto& [which, posture] : shown) {
     const Turn turn = turn_to(present.orientation, posture->up);
-    add_posture(summary, which, grasps, *posture, turn_text(turn));
+    add_posture(summary, which, grasps, *posture, forces, turn_text(turn));
     std::vector<std::string> row{which};
     for (const double part :
          {turn.rotation.w(), turn.rotation.x(), turn.rotation.y(), turn.rotation.z()})
@@ -169,16 +191,21 @@ std::string best_report(const SpatialFile& file, const std::vector<Grasp<3>>& gr
   if (differ)
     text += "\n" + wrapped(why_pinching_costs(grasps[lowest.scenario], lowest.hold, lowest.manner,
                                               pinched->hold));
-  if (!pinched) text += "\n" + wrapped("No pinched minimum was found.");
+  if (!pinched)
+    text += "\n" + wrapped(lowest.manner == Manner::pinched
+                               ? "All pinched minima that were found are at the border of the "
+                                 "postures that are allowed or can be held."
+                               : "No pinched minimum was found inside the postures that are "
+                                 "allowed and can be held.");
 
   text += heading("The turn as a quaternion, in the world frame with +z up", style) +
           rotations.text(style);
   for (const auto& [which, posture] : shown)
     text += heading("Forces at the " + which + of_scenario(grasps, *posture), style) +
             forces_table(grasps[posture->scenario], posture->hold, style);
-  text += scenarios_table(grasps, lowest, style);
+  text += scenarios_table(grasps, lowest, forces, style);
   return text + heading("Minima found, lowest first; there may be others", style) +
-         optima_text(grasps, best.minima, style);
+         optima_text(grasps, best.minima, forces, style);
 }
 
 }  // namespace poise
