@@ -83,7 +83,8 @@ class Search {
   }
 
   /// V at weight `x` (unit vector: a posture), from the y of a row.
-  Evaluation evaluate(const Vector<3>& x, const Row* from = nullptr);
+  /// Where it is far from the best, V is only rough; the row is right in any case.
+  Evaluation evaluate(const Vector<3>& x, const Row* from = nullptr, bool exact = false);
 
   /// Takes a posture into account that was found elsewhere.
   void suggest(const Vector<3>& up) { visit(up, nullptr); }
@@ -131,7 +132,7 @@ class Search {
   int unholdable_in_a_row_{0};
 };
 
-Evaluation Search::evaluate(const Vector<3>& x, const Row* from) {
+Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
   Evaluation worst;
   worst.V = -1;
   Wrench<3> w;
@@ -142,10 +143,15 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from) {
     dual::Point<3> point(grasp.size);
     const Twist<3> start =
         from != nullptr && from->scenario == s ? from->y : dual::cold_start<3>(grasp, w);
-    const bool holdable = dual::maximise(grasp, w, start, scenario.cap, point);
+    const double in_units = scenario.weight * scenario.weight;
+    bool holdable = !exact && dual::approach(grasp, w, start, scenario.cap, point);
+    double square = dual::squared_norm(point);
+    if (exact || (holdable && !(in_units * square > (1 + 1e-6) * best_V_))) {
+      holdable = dual::maximise(grasp, w, exact ? start : Twist<3>(point.y), scenario.cap, point);
+      square = dual::squared_norm(point);
+    }
     ++holds_;
-    const double square = dual::squared_norm(point);
-    const double V = holdable ? scenario.weight * scenario.weight * square : infinity;
+    const double V = holdable ? in_units * square : infinity;
     if (!(V > worst.V)) continue;
     worst.V = V;
     Row& row = worst.row;
@@ -154,8 +160,8 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from) {
     row.n = point.y.head<3>() / row.speed;
     // Rounding of G^T y must not make a cut deeper than it is.
     const double rounding = 2.2e-16 * point.y.cwiseAbs().sum();
-    row.phi = limited_ ? std::max(point.y.dot(w) - point.value, 0.0)
-                       : 0.5 * (square + rounding * rounding * static_cast<double>(grasp.size));
+    const double norm = std::sqrt(square) + rounding * std::sqrt(static_cast<double>(grasp.size));
+    row.phi = limited_ ? std::max(point.y.dot(w) - point.value, 0.0) : 0.5 * norm * norm;
     row.scenario = s;
     row.at = x;
     row.holdable = holdable;
@@ -272,23 +278,28 @@ void Search::run() {
       }
     }
     cut(rows_.size() - 1, far);
-    if (polytope_[far].alive && polytope_[far].x == x) {
+    const auto there_still = [&] { return polytope_[far].alive && polytope_[far].x == x; };
+    if (there_still()) {
+      rows_.push_back(evaluate(up, from, true).row);
+      cut(rows_.size() - 1, far);
+    }
+    if (there_still()) {
       // With min_normal a heavier object may need less: try what is out there.
       if (limited_ && e.V < infinity) {
-        const Evaluation there = evaluate(x, &e.row);
+        const Evaluation there = evaluate(x, &e.row, true);
         rows_.push_back(there.row);
         cut(rows_.size() - 1, far);
-        if (polytope_[far].alive && polytope_[far].x == x && there.V < relaxed_) {
+        if (there_still() && there.V < relaxed_) {
           relaxed_ = there.V;
           rebuild();
           continue;
         }
       }
-      if (polytope_[far].alive && polytope_[far].x == x) polytope_[far].tried = true;
+      if (there_still()) polytope_[far].tried = true;
     }
     // The best may be at the border of what can be held: go there from the inside.
     unholdable_in_a_row_ = e.V < infinity ? 0 : unholdable_in_a_row_ + 1;
-    if (unholdable_in_a_row_ > 1 && best_V_ < infinity)
+    if (unholdable_in_a_row_ > 1 && best_V_ < infinity && (up + best_up_).norm() > 1e-3)
       visit((up + best_up_).normalized(), nullptr);
   }
 }

@@ -110,14 +110,25 @@ Cones<3, Wide> widened(const Cones<3>& cones) {
     const ContactLane<3>& c = cones.lanes[i / lane_size];
     const std::size_t k = i % lane_size;
     ContactLane<3, Wide>& w = wide.lanes[i];
+    // The tangents are perpendicular to the normal in all digits.
+    Eigen::Matrix<Wide, 3, 1> n, a;
     for (int d = 0; d < 3; ++d) {
-      w.n[d] = c.n[d][k];
-      w.a[d] = c.a[d][k];
-      w.b[d] = c.b[d][k];
+      n[d] = c.n[d][k];
+      a[d] = c.a[d][k];
       w.r[d] = c.r[d][k];
     }
+    w.share = n.squaredNorm();
+    if (w.share > 0) {
+      a -= n * (a.dot(n) / w.share);
+      a *= sqrt(w.share / a.squaredNorm());
+    }
+    const Eigen::Matrix<Wide, 3, 1> b = n.cross(a) / (w.share > 0 ? sqrt(w.share) : Wide(1));
+    for (int d = 0; d < 3; ++d) {
+      w.n[d] = n[d];
+      w.a[d] = a[d];
+      w.b[d] = b[d];
+    }
     w.soft = c.soft[k];
-    w.share = c.share[k];
     w.mu = c.mu[k];
     w.edge = 1 / (1 + w.mu * w.mu);
     w.lo = c.lo[k];
