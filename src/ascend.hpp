@@ -136,7 +136,8 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
     error = point.residual.cwiseAbs().maxCoeff();
     if (above_cap() || !(span(point.y) < 1e100)) return false;
     if (rho > 0 || !std::is_same_v<T, double>) {
-      if (error <= 4500 * rounding + 45 * rounding * span(point.y)) return true;
+      if (error <= 4500 * rounding + 45 * rounding * span(point.y))
+        return rho > 0 || size<Dim, T>(point.residual) <= 0.5 * delta;
     } else if constexpr (std::is_same_v<T, double>) {
       // In space there are no faces to polish on cheaply, so less has to do.
       constexpr double near = Dim == 2 ? 1e-13 : 0.5 * delta, off = Dim == 2 ? 1e-12 : 1e-11;

@@ -80,6 +80,10 @@ class Search {
       if (scenarios[s].weight == 1) heaviest_ = s;
     t_ = limited_ ? target() : 1;
     polytope_ = box();
+    for (std::size_t s = 0; s < scenarios.size(); ++s)
+      for (const Twist<3>& unfelt : scenarios[s].grasp->scaled().unfelt)
+        if (unfelt.head<3>().norm() > 1e-9)
+          for (const double sign : {1.0, -1.0}) nothing_resists(s, sign * unfelt);
   }
 
   /// V at weight `x` (unit vector: a posture), from the y of a row.
@@ -92,6 +96,7 @@ class Search {
 
   double best_V() const { return best_V_; }
   const Vector<3>& best_up() const { return best_up_; }
+  const Row& best_row() const { return best_row_; }
   int holds() const { return holds_; }
   double cap() const { return cap_; }
   /// What the rows prove: V >= lower_bound() in the domain.
@@ -101,9 +106,11 @@ class Search {
 
  private:
   Polytope box() const { return Polytope(std::sqrt(t_ * shares_)); }
-  /// The effort whose level set is cut: with limits the rows' right-hand sides depend on it.
+  /// The effort whose level set is cut: with limits the rows' right-hand sides depend on it. Where
+  /// nothing holds, a little above the cap, which proofs exceed by a tenth.
   double target() const {
-    return (1 - gap_) * (1 + 1e-3 * gap_) * std::min({best_V_, relaxed_, 4 * cap_ * cap_});
+    return std::min((1 - gap_) * (1 + 1e-3 * gap_) * std::min(best_V_, relaxed_),
+                    1.01 * cap_ * cap_);
   }
   double right_hand_side(const Row& row) const;
   bool cut(std::size_t row, std::size_t hint);
@@ -117,6 +124,7 @@ class Search {
   Vector<3> snapped(const Vector<3>& x, const std::array<int, 3>& planes) const;
   const Row* neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const;
   bool stay_inside(std::size_t vertex);
+  void nothing_resists(std::size_t scenario, const Twist<3>& y);
 
   const std::vector<Scenario>& scenarios_;
   std::vector<Cone> cones_;
@@ -129,6 +137,7 @@ class Search {
   Polytope polytope_{1};
   double best_V_{infinity};
   Vector<3> best_up_ = Vector<3>::Zero();
+  Row best_row_;
   int unholdable_in_a_row_{0};
 };
 
@@ -170,6 +179,21 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
   return worst;
 }
 
+/// A row for a twist that no contact feels.
+void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
+  const ScaledGrasp<3>& grasp = scenarios_[scenario].grasp->scaled();
+  dual::Point<3> point(grasp.size);
+  Row row;
+  row.y = 1e8 * y;
+  dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), row.y, point);
+  row.speed = row.y.head<3>().norm();
+  row.n = row.y.head<3>() / row.speed;
+  row.phi = std::max(-point.value, 0.0) + 1e-30 * row.y.squaredNorm();
+  row.scenario = scenario;
+  rows_.push_back(row);
+  cut(rows_.size() - 1, Polytope::none);
+}
+
 /// Of n . x where the effort is at most t_. Without limits y may be as long as is best.
 double Search::right_hand_side(const Row& row) const {
   if (row.plane) return 0;
@@ -198,6 +222,7 @@ bool Search::visit(const Vector<3>& up, const Row* from) {
   if (better) {
     best_V_ = e.V;
     best_up_ = up;
+    best_row_ = e.row;
   }
   if (better && limited_)
     rebuild();
@@ -272,6 +297,8 @@ void Search::run() {
     if (e.V < best_V_ && inside(up)) {
       best_V_ = e.V;
       best_up_ = up;
+      best_row_ = e.row;
+      best_row_ = e.row;
       if (limited_) {
         rebuild();
         continue;
@@ -297,10 +324,11 @@ void Search::run() {
       }
       if (there_still()) polytope_[far].tried = true;
     }
-    // The best may be at the border of what can be held: go there from the inside.
+    // Vertices lie outside of what can be held: look for the best from the inside, too.
     unholdable_in_a_row_ = e.V < infinity ? 0 : unholdable_in_a_row_ + 1;
-    if (unholdable_in_a_row_ > 1 && best_V_ < infinity && (up + best_up_).norm() > 1e-3)
-      visit((up + best_up_).normalized(), nullptr);
+    if (unholdable_in_a_row_ < 2) continue;
+    const Vector<3> middle = best_V_ < infinity ? Vector<3>(up + best_up_) : polytope_.middle();
+    if (middle.norm() > 1e-3) visit(snapped(middle, planes), nullptr);
   }
 }
 
@@ -321,6 +349,8 @@ double Search::lower_bound() {
     (radius() <= 1 ? least : most) = t_;
   }
   t_ = least;
+  polytope_ = box();
+  for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
   return safe * least;
 }
 
@@ -385,12 +415,18 @@ void check(const std::vector<Grasp<3>>& scenarios, const SpatialSettings& settin
   }
 }
 
-/// With all scenarios' holds.
-SpatialPosture posture(const std::vector<Scenario>& scenarios, const Vector<3>& up) {
+/// With all scenarios' holds. `row`: of the scenario that decides.
+SpatialPosture posture(const std::vector<Scenario>& scenarios, const Vector<3>& up,
+                       const Row& row) {
   SpatialPosture result;
   result.up = up;
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
-    const Hold<3> found = hold(*scenarios[s].grasp, up, {scenarios[s].cap});
+    const Grasp<3>& grasp = *scenarios[s].grasp;
+    const HoldSettings settings{scenarios[s].cap};
+    Hold<3> found = hold(grasp, up, settings);
+    // At the border of what can be held rounding may decide.
+    if (!found.holdable && s == row.scenario)
+      found = hold<3>(grasp, grasp.load(up), about_origin(grasp, row.y), settings);
     result.scenario_efforts.push_back(found.holdable ? found.effort : infinity);
     if (s > 0 && result.scenario_efforts.back() <= result.hold.effort) continue;
     result.hold = found;
@@ -401,20 +437,22 @@ SpatialPosture posture(const std::vector<Scenario>& scenarios, const Vector<3>& 
 }
 
 /// Descends from `up` until it is the best of all postures within a little cone around it.
-Vector<3> descend(const std::vector<Scenario>& scenarios, const std::vector<Cone>& domain,
-                  Vector<3> up) {
+std::pair<Vector<3>, Row> descend(const std::vector<Scenario>& scenarios,
+                                  const std::vector<Cone>& domain, Vector<3> up) {
   constexpr double near = 0.1;
+  Row row;
   for (int step = 0; step < 60; ++step) {
     std::vector<Cone> cones = domain;
     cones.push_back({up, near});
     Search local(scenarios, cones, step == 0 ? 1e-3 : 1e-10, 150);
     local.run();
-    if (!(local.best_V() < infinity)) return up;
+    if (!(local.best_V() < infinity)) break;
     const double moved = std::acos(std::clamp(up.dot(local.best_up()), -1.0, 1.0));
     up = local.best_up();
-    if (step > 0 && moved < 0.99 * near) return up;
+    row = local.best_row();
+    if (step > 0 && moved < 0.99 * near) break;
   }
-  return up;
+  return {up, row};
 }
 
 /// Points spread over the sphere, on a spiral.
@@ -463,23 +501,31 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
     result.status = bound > search.cap() * search.cap() ? Status::unholdable : Status::gap;
     return result;
   }
-  result.best = posture(scenarios, search.best_up());
+  result.best = posture(scenarios, search.best_up(), search.best_row());
+  if (!result.best->hold.holdable) {  // within rounding of the limit of holding
+    result.best.reset();
+    return result;
+  }
   const double effort = result.best->effort();
   result.lower_bound = std::min(result.lower_bound, effort);
   result.relative_gap = (effort - result.lower_bound) / effort;
   result.status = result.relative_gap <= settings.gap ? Status::optimal : Status::gap;
 
-  std::vector<Vector<3>> found = {search.best_up()};
+  std::vector<std::pair<Vector<3>, Row>> found = {{search.best_up(), search.best_row()}};
   for (const Vector<3>& start : spiral(settings.starts)) {
     Vector<3> up = start;
     for (const Cone& cone : domain) up = cone.nearest(up);
     if (!(search.evaluate(up).V < infinity)) continue;
-    up = descend(scenarios, domain, up);
-    if (std::none_of(found.begin(), found.end(),
-                     [&](const Vector<3>& other) { return (other - up).norm() < 1e-3; }))
-      found.push_back(up);
+    const auto minimum = descend(scenarios, domain, up);
+    if (std::none_of(found.begin(), found.end(), [&](const auto& other) {
+          return (other.first - minimum.first).norm() < 1e-3;
+        }))
+      found.push_back(minimum);
   }
-  for (const Vector<3>& up : found) result.minima.push_back(posture(scenarios, up));
+  for (const auto& [up, row] : found) {
+    SpatialPosture minimum = posture(scenarios, up, row);
+    if (minimum.hold.holdable) result.minima.push_back(std::move(minimum));
+  }
   std::stable_sort(
       result.minima.begin() + 1, result.minima.end(),
       [](const SpatialPosture& a, const SpatialPosture& b) { return a.effort() < b.effort(); });

@@ -183,7 +183,7 @@ bool finish(const Cones<3, Wide>& cones, const Screw<3, Wide>& w, Point<3, Wide>
   evaluate<3, Wide>(cones, w, Screw<3, Wide>(point.y), point);
   Wide error = point.residual.cwiseAbs().maxCoeff();
   for (int step = 0; step < 12; ++step) {
-    if (error <= 1e-22 + 1e-29 * span(point.y)) return true;
+    if (error <= 1e-22 + 1e-29 * span(point.y)) return error <= 0.1 * delta;
     const Screw<3, Wide> y = point.y + newton_step(curvature(cones, point), point.residual);
     evaluate<3, Wide>(cones, w, y, point);
     const Wide before = error;
@@ -342,8 +342,21 @@ Twist<3> start_from(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist
 
 bool approach(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
               double force_cap, Point<3>& point) {
-  if (ascend<3, double>(grasp, w, start_from(grasp, w, start), force_cap, 0, point, true))
+  if (ascend<3, double>(grasp, w, start_from(grasp, w, start), force_cap, 0, point, true)) {
+    if (span(point.y) < 1e4 * (1 + point.value)) return true;
+    // Rounding of a load at the border of what can be held may ask for a very long y.
+    constexpr double rho = 1e-13;
+    Point<3> pulled(grasp.size);
+    ascend<3, double>(grasp, w, cold_start<3>(grasp, w), std::numeric_limits<double>::infinity(),
+                      rho, pulled);
+    pulled.residual += rho * pulled.y;
+    if (size<3, double>(pulled.residual) <= 0.4 * delta) {
+      pulled.value =
+          pulled.y.dot(w) - pulled.y.dot(w - pulled.residual) + 0.5 * squared_norm(pulled);
+      point = pulled;
+    }
     return true;
+  }
   sharpen(grasp, w, force_cap, point);
   return false;
 }

@@ -122,4 +122,11 @@ std::size_t Polytope::farthest(bool of_all) const {
   return best;
 }
 
+Vector<3> Polytope::middle() const {
+  Vector<3> sum = Vector<3>::Zero();
+  for (const Vertex& v : vertices_)
+    if (v.alive) sum += v.x;
+  return sum.norm() > 0 ? Vector<3>(sum.normalized()) : sum;
+}
+
 }  // namespace poise

@@ -34,6 +34,8 @@ class Polytope {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   /// The vertex farthest from the origin, of all or of those not yet tried; none if there is none.
   std::size_t farthest(bool of_all) const;
+  /// Some direction between those of the far vertices.
+  Vector<3> middle() const;
   Vertex& operator[](std::size_t i) { return vertices_[i]; }
   const Vertex& operator[](std::size_t i) const { return vertices_[i]; }
   std::size_t size() const { return vertices_.size(); }

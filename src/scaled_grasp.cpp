@@ -8,12 +8,15 @@
 namespace poise {
 namespace {
 
-template <class Matrix>
-Matrix pseudo_inverse(const Matrix& GGt) {
+template <class Matrix, class Twist>
+Matrix pseudo_inverse(const Matrix& GGt, std::vector<Twist>& kernel) {
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(GGt);
   auto values = eigen.eigenvalues().eval();
   const double least = 1e-14 * values.maxCoeff();
-  for (double& value : values) value = value > least ? 1 / value : 0;
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    if (!(values[k] > least)) kernel.push_back(eigen.eigenvectors().col(k));
+    values[k] = values[k] > least ? 1 / values[k] : 0;
+  }
   return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
@@ -47,7 +50,7 @@ ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
     forces << Eigen::Matrix2d::Identity(), -r.y(), r.x();
     GGt += contact.share * forces * forces.transpose();
   }
-  inverse = pseudo_inverse(GGt);
+  inverse = pseudo_inverse(GGt, unfelt);
 }
 
 template <>
@@ -86,7 +89,7 @@ ScaledGrasp<3>::ScaledGrasp(const Grasp<3>& grasp)
     G.col(3).tail<3>() = lane.soft[k] * frame.col(0);
     GGt += G * G.transpose();
   }
-  inverse = pseudo_inverse(GGt);
+  inverse = pseudo_inverse(GGt, unfelt);
 }
 
 Cones<2, Wide> widened(const Cones<2>& cones) {
