@@ -54,7 +54,7 @@ struct Cone {
   }
   /// The plane n . x <= 0 that touches the cone on x's side.
   Vector<3> plane(const Vector<3>& x) const {
-    if (most >= pi / 2) return -axis;
+    if (most >= pi / 2 || axis.dot(x) < 0) return -axis;
     return std::cos(most) * across(x) - std::sin(most) * axis;
   }
   Vector<3> nearest(const Vector<3>& x) const {
