@@ -175,7 +175,7 @@ struct Parser {
     best->add_option("--tilt-max", tilt_max, "Space: at most so far from it, 0 to 90")
         ->type_name("DEG");
     best->add_option("--orientation", orientation,
-                     "Space: how the object is turned now, object to world, +z up (1,0,0,0)")
+                     "Space: how the object is turned now, object to world, +z up")
         ->type_name("W,X,Y,Z");
     curve->add_option("--plot", arguments.plot, "Draw the held object beside the curve")
         ->type_name("SVG");
