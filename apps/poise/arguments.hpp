@@ -10,7 +10,7 @@
 
 namespace poise {
 
-enum class Command { check, hold, best, curve, paper };
+enum class Command { check, hold, best, curve, verify, paper };
 
 /// What `paper` draws beside the paper's own figures; what is not given is that of Fig. 6.
 struct PaperArguments {
@@ -23,6 +23,7 @@ struct PaperArguments {
 struct Arguments {
   Command command{Command::check};
   std::string file{};
+  std::string result{};  ///< of `verify`: the JSON document to check
   bool json{false};
   std::optional<double> angle_deg{};  ///< in (-180, 180]
   std::optional<Vector<2>> up{};      ///< as given: of any length but 0

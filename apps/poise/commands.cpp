@@ -11,6 +11,7 @@
 #include "picture.hpp"
 #include "plot.hpp"
 #include "report.hpp"
+#include "verify.hpp"
 
 namespace poise {
 namespace {
@@ -68,6 +69,10 @@ Answer answer(const Arguments& arguments) {
   if (arguments.command == Command::check)
     return {arguments.json ? check_document(file, grasp)
                            : check_report(file, grasp, style_of_output())};
+  if (arguments.command == Command::verify) {
+    const Verdict checked = verdict(file, arguments.result, arguments.json, style_of_output());
+    return {checked.text, checked.confirmed};
+  }
   for (const std::string& warning : file.warnings)
     std::fputs(("poise: " + warning + "\n").c_str(), stderr);
   const CurveSettings settings{.domain = arguments.domain.value_or(file.domain),

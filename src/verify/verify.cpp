@@ -1,0 +1,80 @@
+#include "verify/verify.hpp"
+
+#include <algorithm>
+
+#include "verify/plane.hpp"
+
+namespace poise::verify {
+namespace {
+
+/// A key that is given twice means different things to different readers.
+void refuse_twins(const Document& document, const Value& value) {
+  if (const auto* parts = std::get_if<List>(&value.data))
+    for (const Value& part : *parts) refuse_twins(document, part);
+  if (const auto* members = std::get_if<Mapping>(&value.data))
+    for (auto member = members->begin(); member != members->end(); ++member) {
+      const auto same = [&](const Member& other) { return other.key == member->key; };
+      if (std::any_of(members->begin(), member, same))
+        document.fail(member->at, "\"" + member->key + "\" is given twice");
+      refuse_twins(document, member->value);
+    }
+}
+
+/// What the grasp file says, said again.
+void check_reading(Claims& claims, const Held& held, const Field& root) {
+  const Load& load = held.loads.front();
+  const Field weight = root.get("weight", "a force [N]"), com = root.get("com", "a point");
+  claims.check(weight, "weight is that of the grasp", difference(weight.finite(), load.weight), 0);
+  claims.check(com, "com is that of the grasp", (read_vector(com, held.dim) - load.com).norm(), 0);
+  const Field list = root.get("contacts", "a list of contacts");
+  const auto contacts = list.list();
+  if (contacts.size() != held.contacts.size())
+    list.fail("must have " + std::to_string(held.contacts.size()) + " contacts, as the grasp has");
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Touch& contact = held.contacts[i];
+    const auto vector = [&](const char* key, const Vec& expected) {
+      const Field field = contacts[i].get(key, "a vector");
+      claims.check(field, std::string(key) + " is that of the grasp",
+                   (read_vector(field, held.dim) - expected).norm(), 0);
+    };
+    const auto number = [&](const char* key, Real expected) {
+      const Field field = contacts[i].get(key, "a number");
+      const bool none = field.is_null() && !std::isfinite(expected);
+      claims.check(field, std::string(key) + " is that of the grasp",
+                   none ? 0 : difference(field.finite(), expected), 0);
+    };
+    vector("position", contact.position);
+    vector("normal", contact.normal);
+    number("friction", contact.friction);
+    number("min_normal", contact.lo);
+    number("max_normal", contact.hi);
+    number("share", contact.share);
+  }
+  claims.note("force_closure, cradled_deg and warnings are not checked.");
+}
+
+}  // namespace
+
+Claims verify(const GraspFile& file, const Document& result) {
+  refuse_twins(result, result.root);
+  const Field root(result);
+  const Field version = root.get("poise_result", "1, the version of results");
+  if (version.finite() != 1) version.fail("must be 1, the version that this program knows");
+  const Field command = root.get("command", "check, hold, best or curve");
+  const std::string& name = command.word({"check", "hold", "best", "curve"});
+  const Field options = root.get("options", "a mapping");
+  Claims claims;
+  const Held grasp = held(file.grasp());
+  if (name == "check") {
+    check_reading(claims, grasp, root);
+  } else if (name == "hold") {
+    check_hold(claims, grasp, root, options.get("force_cap", "a number of weights").finite());
+  } else if (name == "curve") {
+    check_curve(claims, grasp, root);
+  } else {
+    check_best_in_plane(claims, grasp, root);
+  }
+  return claims;
+}
+
+}  // namespace poise::verify
