@@ -148,7 +148,7 @@ void check_forces(Claims& claims, const Held& held, const Field& hold, const Loa
   const Vec moment = (off - wrench(force, load.com)).tail(off.size() - held.dim);
   Real error = force.norm() / W;
   if (load.radius > 0) error = std::max(error, moment.norm() / (W * load.radius));
-  claims.check(hold, "forces balance the load [weights]", error, delta + digits);
+  claims.check(hold, "forces balance the load [weights]", error, 2 * delta + digits);
 
   bool all_loaded = true, clear = true;
   check_fingers(claims, held, hold, load, contacts, all_loaded, clear);
