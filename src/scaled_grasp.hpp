@@ -43,6 +43,18 @@ struct ContactLane<2, T> {
   LaneOf<T> lo, hi;    ///< limits of the normal force
 };
 
+/// In space the friction cone is round in (t1, t2, m / gamma'), with gamma' = gamma / (mu L).
+template <class T>
+struct ContactLane<3, T> {
+  LaneOf<T> n[3], a[3], b[3];  ///< inward normal and tangents, times sqrt(share)
+  LaneOf<T> r[3];              ///< from the com to the contact
+  LaneOf<T> soft;              ///< gamma'; 0 for a hard finger
+  LaneOf<T> share;
+  LaneOf<T> mu, edge;  ///< as in the plane
+  LaneOf<T> lo, hi;
+  LaneOf<T> unit;
+};
+
 /// The contacts, in numbers of type T: the grasp matrix and the friction cones.
 template <int Dim, class T = double>
 struct Cones {
@@ -55,8 +67,8 @@ template <int Dim>
 struct ScaledGrasp : Cones<Dim> {
   explicit ScaledGrasp(const Grasp<Dim>& grasp);
 
-  double length;      ///< L [m], or 1 where every contact is at the centre of mass
-  double per_weight;  ///< 1 / W [1/N]
+  double length;             ///< L [m], or 1 where every contact is at the centre of mass
+  double per_weight;         ///< 1 / W [1/N]
   std::vector<double> unit;  ///< of each contact's forces: W sqrt(share) [N]
   /// Pseudo-inverse of G G^T: the dual of a load while no contact is at the border of its cone.
   Eigen::Matrix<double, wrench_size<Dim>, wrench_size<Dim>> inverse;
@@ -64,5 +76,6 @@ struct ScaledGrasp : Cones<Dim> {
 
 /// The same contacts in wider numbers.
 Cones<2, Wide> widened(const Cones<2>& cones);
+Cones<3, Wide> widened(const Cones<3>& cones);
 
 }  // namespace poise

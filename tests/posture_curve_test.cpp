@@ -154,8 +154,7 @@ RC_GTEST_PROP(PostureCurve, IsProvenByItsOwnDuals, ()) {
       const Real bound = dual_bound(grasp, w, dual_at(arc, theta));
       // What a balance within the tolerance may be worth to a long y.
       const Real doubt = bound - proven_effort(grasp, w, dual_at(arc, theta));
-      RC_ASSERT(std::abs(bound - arc.V(theta)) <= 2 * doubt ||
-                error(arc, theta, bound) <= 1e-9L);
+      RC_ASSERT(std::abs(bound - arc.V(theta)) <= 2 * doubt || error(arc, theta, bound) <= 1e-9L);
     }
 }
 

@@ -16,8 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using test::Held;
 
-GraspFile file_of(const Held& held) {
-  GraspFile file;
+PlanarFile file_of(const Held& held) {
+  PlanarFile file;
   file.object = held.object;
   file.contacts = held.contacts;
   return file;
@@ -34,20 +34,20 @@ std::string words(const verify::Claims& claims) {
   return text.str();
 }
 
-std::string hold_text(const GraspFile& file, double theta, double cap = 1e6) {
+std::string hold_text(const PlanarFile& file, double theta, double cap = 1e6) {
   const Grasp<2> grasp = file.grasp();
   return hold_document(grasp, theta, hold(grasp, up_at(theta), {cap}), {cap});
 }
-std::string best_text(const GraspFile& file, const CurveSettings& settings = {}) {
+std::string best_text(const PlanarFile& file, const CurveSettings& settings = {}) {
   const Grasp<2> grasp = file.grasp();
   return best_document(grasp, best_posture(grasp, settings), settings);
 }
-std::string curve_text(const GraspFile& file, const CurveSettings& settings = {}) {
+std::string curve_text(const PlanarFile& file, const CurveSettings& settings = {}) {
   const Grasp<2> grasp = file.grasp();
   return curve_document(grasp, posture_curve(grasp, settings), settings);
 }
 
-void expect_confirmed(const GraspFile& file, const std::string& text) {
+void expect_confirmed(const PlanarFile& file, const std::string& text) {
   RC_ASSERT(words(checked(file, text)) == "");
 }
 
@@ -128,7 +128,7 @@ bool is_rounding(double number, const std::string& path, double scale, double we
   return std::abs(number) <= std::max(1e-3 * scale, 1e-6);
 }
 
-void expect_spoilt_refused(const GraspFile& file, const std::string& text) {
+void expect_spoilt_refused(const PlanarFile& file, const std::string& text) {
   ASSERT_EQ(words(checked(file, text)), "");
   int spoilt = 0;
   Json document = Json::parse(text);
@@ -151,13 +151,13 @@ void expect_spoilt_refused(const GraspFile& file, const std::string& text) {
   }
 }
 
-GraspFile example(const std::string& name) {
-  return read_grasp_file(POISE_EXAMPLES "/" + name + ".yaml");
+PlanarFile example(const std::string& name) {
+  return std::get<PlanarFile>(read_grasp_file(POISE_EXAMPLES "/" + name + ".yaml"));
 }
 
 /// Nothing holds it: both fingers push the same way, beside the centre of mass.
-GraspFile not_to_be_held() {
-  GraspFile file;
+PlanarFile not_to_be_held() {
+  PlanarFile file;
   file.object = {10, {0, 1}};
   file.contacts = {{{1, 0}, {0, 1}, 0.1}, {{1.5, 0}, {0, 1}, 0.1}};
   return file;
@@ -166,7 +166,7 @@ GraspFile not_to_be_held() {
 TEST(Verify, RefusesEveryNumberThatIsOff) {
   for (const char* name : {"ito-fig6", "l-part", "hexagon-three-fingers"}) {
     SCOPED_TRACE(name);
-    const GraspFile file = example(name);
+    const PlanarFile file = example(name);
     expect_spoilt_refused(file, hold_text(file, file.angle.value_or(0.3)));
     expect_spoilt_refused(file, curve_text(file));
     expect_spoilt_refused(file, best_text(file));
@@ -175,7 +175,7 @@ TEST(Verify, RefusesEveryNumberThatIsOff) {
 }
 
 TEST(Verify, RefusesNumbersOfWhatCannotBeHeld) {
-  const GraspFile file = not_to_be_held();
+  const PlanarFile file = not_to_be_held();
   for (const std::string& text : {hold_text(file, 1), best_text(file)})
     EXPECT_EQ(words(checked(file, text)), "");
   Json hold = Json::parse(hold_text(file, 1));
@@ -190,12 +190,12 @@ TEST(Verify, RefusesProofsThatDoNotProve) {
   const auto flip = [](Json& y) {
     for (Json& number : y) number = -number.get<double>();
   };
-  const GraspFile no = not_to_be_held();
+  const PlanarFile no = not_to_be_held();
   Json hold = Json::parse(hold_text(no, 1));
   flip(hold["dual"]);
   EXPECT_FALSE(checked(no, hold.dump()).confirmed());
 
-  for (const GraspFile& file : {no, example("hexagon-three-fingers")}) {
+  for (const PlanarFile& file : {no, example("hexagon-three-fingers")}) {
     const Json best = Json::parse(best_text(file));
     ASSERT_GT(best["unholdable_arcs"].size(), 0U);
     for (std::size_t k = 0; k < best["unholdable_arcs"].size(); ++k) {
@@ -207,7 +207,7 @@ TEST(Verify, RefusesProofsThatDoNotProve) {
       EXPECT_FALSE(checked(file, copy.dump()).confirmed()) << k;
     }
   }
-  const GraspFile disk = example("ito-fig6");
+  const PlanarFile disk = example("ito-fig6");
   for (const std::string& text : {best_text(disk), curve_text(disk)}) {
     const Json document = Json::parse(text);
     for (std::size_t k = 0; k < document["arcs"].size(); ++k) {
@@ -229,7 +229,7 @@ TEST(Verify, RefusesTheResultOfAnotherGrasp) {
 }
 
 TEST(Verify, NamesWhatIsMissing) {
-  const GraspFile file = example("l-part");
+  const PlanarFile file = example("l-part");
   const auto problem = [&](const std::string& text) -> std::string {
     try {
       checked(file, text);

@@ -104,10 +104,13 @@ Touch touch(const Contact<Dim>& contact) {
   touch.lo = contact.min_normal;
   touch.hi = contact.max_normal;
   touch.share = contact.share;
+  touch.torsion = contact.torsion;
   const Mat t = tangents(touch.normal);
-  touch.G.resize(wrench_size<Dim>, Dim);
+  const bool soft = Dim == 3 && touch.torsion > 0;
+  touch.G = Mat::Zero(wrench_size<Dim>, soft ? Dim + 1 : Dim);
   touch.G.col(0) = wrench(touch.normal, touch.position);
   for (int k = 0; k < t.cols(); ++k) touch.G.col(1 + k) = wrench(t.col(k), touch.position);
+  if (soft) touch.G.col(Dim).tail(3) = touch.normal * (touch.torsion / touch.friction);
   return touch;
 }
 
@@ -119,6 +122,22 @@ Load load(const std::vector<Touch>& contacts, Real weight, const Vec& com) {
 }
 
 }  // namespace
+
+Real Held::heaviest() const {
+  Real most = 0;
+  for (const Load& each : loads) most = std::max(most, each.weight);
+  return most;
+}
+
+Held held(const std::vector<Grasp<3>>& scenarios) {
+  Held held{3, {}, {}, scenarios.front().fingers()};
+  for (const Contact<3>& contact : scenarios.front().contacts())
+    held.contacts.push_back(touch(contact));
+  for (const Grasp<3>& grasp : scenarios)
+    held.loads.push_back(
+        load(held.contacts, grasp.object().weight, grasp.object().com.cast<Real>()));
+  return held;
+}
 
 Held held(const Grasp<2>& grasp) {
   Held held{2, {}, {}, grasp.fingers()};

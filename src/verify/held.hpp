@@ -41,9 +41,12 @@ struct Held {
   std::vector<std::string> fingers;  ///< in the order of their first contact
 
   int wrench_size() const { return dim == 2 ? 3 : 6; }
+  Real heaviest() const;
 };
 
 Held held(const Grasp<2>& grasp);
+/// One for each scenario: the same contacts.
+Held held(const std::vector<Grasp<3>>& scenarios);
 
 /// The wrench of a force at a point, about the origin.
 Vec wrench(const Vec& force, const Vec& point);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "verify/plane.hpp"
+#include "verify/space.hpp"
 
 namespace poise::verify {
 namespace {
@@ -176,6 +177,31 @@ void check_posture(Claims& claims, const Held& held, const Field& hold, HoldClai
                rounding);
 }
 
+/// Which scenario decides: the one that needs most.
+void check_scenarios(Claims& claims, const Held& held, const Field& hold, HoldClaim& claim) {
+  if (held.loads.size() == 1) return;
+  const Field scenario = hold.get("scenario", "the number of a scenario");
+  const Real number = scenario.finite();
+  for (std::size_t k = 0; k < held.loads.size(); ++k)
+    if (number == static_cast<Real>(k)) claim.scenario = k;
+  claims.check(scenario, "scenario is one of the grasp's",
+               number == static_cast<Real>(claim.scenario));
+  const Field list = hold.get("scenario_efforts", "a list of efforts");
+  const auto efforts = list.list();
+  if (efforts.size() != held.loads.size())
+    list.fail("must have " + std::to_string(held.loads.size()) + " efforts, one for each scenario");
+  const auto decides = [&](const Field& effort) { return effort.is_null() == !claim.holdable; };
+  claims.check(scenario, "the scenario decides", decides(efforts[claim.scenario]));
+  if (!claim.holdable) return;
+  const Real most = hold.get("effort", "a number [N^2]").finite();
+  for (std::size_t k = 0; k < efforts.size(); ++k)
+    claims.check(efforts[k], "no scenario needs more than the one that decides",
+                 efforts[k].finite() / most, 1 + 1e-9L);
+  claims.check(efforts[claim.scenario], "its effort is that of the hold",
+               difference(efforts[claim.scenario].finite(), most), rounding);
+  claims.note("The efforts of the scenarios that do not decide are not checked.");
+}
+
 }  // namespace
 
 Vec read_vector(const Field& field, Eigen::Index size) {
@@ -195,6 +221,7 @@ HoldClaim check_hold(Claims& claims, const Held& held, const Field& hold, Real f
   claim.dual = read_vector(hold.get("dual", "a twist"), held.wrench_size());
   const Field lower = hold.get("lower_bound", "a number [N^2]");
   const Real says = lower.finite();
+  check_scenarios(claims, held, hold, claim);
   const Load& load = held.loads[claim.scenario];
   const Real W = load.weight, cap = force_cap * W;
   const Vec w = wrench(load, claim.up);
@@ -213,7 +240,7 @@ HoldClaim check_hold(Claims& claims, const Held& held, const Field& hold, Real f
   }
   check_forces(claims, held, hold, load, w, claim);
   const Real norm = std::sqrt(claim.effort) / W;
-  claims.check(hold, "force_norm is within the force cap", norm / force_cap, 1 + 1e-9L);
+  claims.check(hold, "force_norm is within the force cap", std::sqrt(claim.effort) / (force_cap * held.heaviest()), 1 + 1e-9L);
   // y loses as many digits as it is longer than the weight.
   const Real lost = std::max(Real{1}, norm / 1000), small = 1e-15L * W * W + slack;
   claims.check(lower, "lower_bound follows from dual [of effort]",
@@ -225,7 +252,7 @@ HoldClaim check_hold(Claims& claims, const Held& held, const Field& hold, Real f
 }
 
 Fork fork(const Held& held, const Load& load, const Vec& up) {
-  return fork_in_plane(held, load, up);
+  return held.dim == 2 ? fork_in_plane(held, load, up) : fork_in_space(held, load, up);
 }
 
 }  // namespace poise::verify

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "verify/plane.hpp"
+#include "verify/space.hpp"
 
 namespace poise::verify {
 namespace {
@@ -22,10 +23,22 @@ void refuse_twins(const Document& document, const Value& value) {
 
 /// What the grasp file says, said again.
 void check_reading(Claims& claims, const Held& held, const Field& root) {
-  const Load& load = held.loads.front();
-  const Field weight = root.get("weight", "a force [N]"), com = root.get("com", "a point");
-  claims.check(weight, "weight is that of the grasp", difference(weight.finite(), load.weight), 0);
-  claims.check(com, "com is that of the grasp", (read_vector(com, held.dim) - load.com).norm(), 0);
+  const auto check_load = [&](const Field& field, const Load& load) {
+    const Field weight = field.get("weight", "a force [N]"), com = field.get("com", "a point");
+    claims.check(weight, "weight is that of the grasp", difference(weight.finite(), load.weight),
+                 0);
+    claims.check(com, "com is that of the grasp", (read_vector(com, held.dim) - load.com).norm(),
+                 0);
+  };
+  if (held.dim == 2) {
+    check_load(root, held.loads.front());
+  } else {
+    const Field scenarios = root.get("scenarios", "a list of loads");
+    const auto loads = scenarios.list();
+    if (loads.size() != held.loads.size())
+      scenarios.fail("must have " + std::to_string(held.loads.size()) + ", as the grasp has");
+    for (std::size_t k = 0; k < loads.size(); ++k) check_load(loads[k], held.loads[k]);
+  }
   const Field list = root.get("contacts", "a list of contacts");
   const auto contacts = list.list();
   if (contacts.size() != held.contacts.size())
@@ -49,9 +62,13 @@ void check_reading(Claims& claims, const Held& held, const Field& root) {
     number("min_normal", contact.lo);
     number("max_normal", contact.hi);
     number("share", contact.share);
+    if (held.dim == 3) number("torsion", contact.torsion);
   }
   claims.note("force_closure, cradled_deg and warnings are not checked.");
 }
+
+Held held_by(const PlanarFile& file) { return held(file.grasp()); }
+Held held_by(const SpatialFile& file) { return held(file.grasps()); }
 
 }  // namespace
 
@@ -64,15 +81,18 @@ Claims verify(const GraspFile& file, const Document& result) {
   const std::string& name = command.word({"check", "hold", "best", "curve"});
   const Field options = root.get("options", "a mapping");
   Claims claims;
-  const Held grasp = held(file.grasp());
+  const Held grasp = std::visit([](const auto& each) { return held_by(each); }, file);
   if (name == "check") {
     check_reading(claims, grasp, root);
   } else if (name == "hold") {
     check_hold(claims, grasp, root, options.get("force_cap", "a number of weights").finite());
   } else if (name == "curve") {
+    if (grasp.dim == 3) command.fail("is curve, which is for the plane: the grasp is in space");
     check_curve(claims, grasp, root);
-  } else {
+  } else if (grasp.dim == 2) {
     check_best_in_plane(claims, grasp, root);
+  } else {
+    check_best_in_space(claims, grasp, root);
   }
   return claims;
 }
