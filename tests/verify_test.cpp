@@ -1,4 +1,6 @@
 // The verifier confirms what is right and refutes what is not.
+#include "verify/verify.hpp"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -8,7 +10,6 @@
 
 #include "files/result.hpp"
 #include "random_grasps.hpp"
-#include "verify/verify.hpp"
 
 namespace poise {
 namespace {
@@ -51,9 +52,7 @@ void expect_confirmed(const PlanarFile& file, const std::string& text) {
   RC_ASSERT(words(checked(file, text)) == "");
 }
 
-const CurveSettings any_domain() {
-  return {*rc::gen::element(Domain::all, Domain::pinched)};
-}
+const CurveSettings any_domain() { return {*rc::gen::element(Domain::all, Domain::pinched)}; }
 
 RC_GTEST_PROP(Verify, ConfirmsHolds, ()) {
   const Held held = *test::grasps();

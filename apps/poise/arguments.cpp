@@ -181,7 +181,8 @@ struct Parser {
     curve->add_option("--plot", arguments.plot, "Draw the held object beside the curve")
         ->type_name("SVG");
     add("verify", "Check a result of these commands again, by other means")
-        ->add_option("RESULT", arguments.result, "What check, hold, best or curve printed by --json")
+        ->add_option("RESULT", arguments.result,
+                     "What check, hold, best or curve printed by --json")
         ->type_name("")
         ->required();
     add_paper();
@@ -218,12 +219,12 @@ struct Parser {
 
   void read_values() {
     const std::string& name = app.get_subcommands().front()->get_name();
-    arguments.command = name == "check"   ? Command::check
-                        : name == "hold"  ? Command::hold
-                        : name == "best"  ? Command::best
-                        : name == "curve" ? Command::curve
+    arguments.command = name == "check"    ? Command::check
+                        : name == "hold"   ? Command::hold
+                        : name == "best"   ? Command::best
+                        : name == "curve"  ? Command::curve
                         : name == "verify" ? Command::verify
-                                          : Command::paper;
+                                           : Command::paper;
     if (angle) arguments.angle_deg = read_angle(*angle);
     if (up) arguments.up = read_direction("--up", *up, 2, 3, "0.5,0.8 (in space 0.5,0,0.8)");
     if (gap) arguments.gap = read_gap(*gap);

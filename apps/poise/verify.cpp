@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "files/json_text.hpp"
@@ -47,13 +48,29 @@ std::string document(const Claims& claims) {
 
 std::string report(const Claims& claims, const std::string& file, const Style& style) {
   int times = 0;
-  Table table({"<what was checked", "<where", "times", "off by", "allowed"});
+  // The same claim is made at many places: the one closest to being refuted stands for all.
+  std::vector<verify::Check> rows;
   for (const verify::Check& check : claims.checks()) {
     times += check.times;
-    const bool measured = check.allowed > 0;
-    table.add({check.words, place(check.where), std::to_string(check.times),
-               measured ? number(check.off) : check.off > 0 ? "wrong" : "right",
-               measured ? number(check.allowed) : ""});
+    const auto same = [&](const verify::Check& row) { return row.words == check.words; };
+    const auto row = std::find_if(rows.begin(), rows.end(), same);
+    if (row == rows.end()) {
+      rows.push_back(check);
+      continue;
+    }
+    const int count = row->times + check.times;
+    if (check.off * row->allowed > row->off * check.allowed || check.off > check.allowed)
+      *row = check;
+    row->times = count;
+  }
+  Table table({"<what was checked", "times", "off by", "allowed", "<at"});
+  for (const verify::Check& row : rows) {
+    const bool measured = row.allowed > 0;
+    table.add({row.words, std::to_string(row.times),
+               measured      ? number(row.off)
+               : row.off > 0 ? "wrong"
+                             : "right",
+               measured ? number(row.allowed) : "", measured ? place(row.closest) : ""});
   }
   std::string text = table.text(style);
   for (const std::string& note : claims.notes()) text += "\n" + wrapped(note);

@@ -39,7 +39,7 @@ struct Document {
 /// Limits that keep a hostile file from taking the stack, the memory or the day.
 inline constexpr std::size_t max_text = std::size_t{1} << 20;    ///< of a grasp file [bytes]
 inline constexpr std::size_t max_result = std::size_t{1} << 26;  ///< of a result [bytes]
-inline constexpr std::size_t max_values = 1'000'000;           ///< aliases written out
+inline constexpr std::size_t max_values = 1'000'000;             ///< aliases written out
 inline constexpr int max_depth = 32;
 
 /// A document yet without its value: the text without byte order mark, known to be UTF-8 without

@@ -29,10 +29,10 @@ Real used(Real off, Real allowed) { return allowed > 0 ? off / allowed : off > 0
 void Claims::check(const Field& at, const std::string& words, Real off, Real allowed) {
   off = std::max(off, Real{0});  // the right side of a bound; nan stays
   const std::string where = pattern(at.path());
-  auto check = std::find_if(checks_.begin(), checks_.end(), [&](const Check& c) {
-    return c.words == words && c.where == where;
-  });
-  if (check == checks_.end()) check = checks_.insert(checks_.end(), {.words = words, .where = where});
+  auto check = std::find_if(checks_.begin(), checks_.end(),
+                            [&](const Check& c) { return c.words == words && c.where == where; });
+  if (check == checks_.end())
+    check = checks_.insert(checks_.end(), {.words = words, .where = where});
   if (check->times++ == 0 || !(used(off, allowed) <= used(check->off, check->allowed))) {
     check->off = off;
     check->allowed = allowed;

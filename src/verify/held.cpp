@@ -1,7 +1,6 @@
 #include "verify/held.hpp"
 
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -116,8 +115,7 @@ Touch touch(const Contact<Dim>& contact) {
 
 Load load(const std::vector<Touch>& contacts, Real weight, const Vec& com) {
   Real radius = 0;
-  for (const Touch& contact : contacts)
-    radius = std::max(radius, (contact.position - com).norm());
+  for (const Touch& contact : contacts) radius = std::max(radius, (contact.position - com).norm());
   return {weight, com, radius};
 }
 

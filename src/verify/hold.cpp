@@ -17,9 +17,9 @@ bool near(Real a, Real b, Real by) { return std::abs(a - b) <= by; }
 
 /// What one contact does, as the file has it.
 struct ContactClaim {
-  Vec force;        ///< in the contact frame, like a column of G
-  Vec vector;       ///< in the object frame
-  Real moment{0};   ///< of a soft finger, about the normal
+  Vec force;       ///< in the contact frame, like a column of G
+  Vec vector;      ///< in the object frame
+  Real moment{0};  ///< of a soft finger, about the normal
 };
 
 ContactClaim check_contact(Claims& claims, const Touch& contact, const Field& field,
@@ -64,13 +64,17 @@ ContactClaim check_contact(Claims& claims, const Touch& contact, const Field& fi
                std::abs(says - (pressing ? used : 0)), 1e-11L * std::max(says, Real{1e-3L}));
   const bool slips = near(used, 1 - at_limit, unsure) ? is == "slipping" : used > 1 - at_limit;
   claims.check(state, "state follows from the forces",
-               is == (!pressing ? "unloaded" : slips ? "slipping" : "sticking"));
+               is == (!pressing ? "unloaded"
+                      : slips   ? "slipping"
+                                : "sticking"));
   const bool max = n >= contact.hi - at_limit * W;
   const bool min = contact.lo > 0 && n <= contact.lo + at_limit * W;
   const bool close = near(n, contact.hi - at_limit * W, unsure * W) ||
                      near(n, contact.lo + at_limit * W, unsure * W);
   claims.check(limit, "limit follows from normal_force",
-               close || at == (max ? "max" : min ? "min" : "none"));
+               close || at == (max   ? "max"
+                               : min ? "min"
+                                     : "none"));
   if (pressing) {
     hold.loaded.push_back(index);
     hold.slipping = hold.slipping && is == "slipping";
@@ -100,8 +104,8 @@ void check_fingers(Claims& claims, const Held& held, const Field& hold, const Lo
     const Field n = field.get("normal_force", "a force [N]"), f = field.get("force", "a force [N]");
     claims.check(n, "normal_force is the sum of its contacts'", std::abs(n.finite() - normal),
                  rounding * size);
-    claims.check(f, "force is the sum of its contacts'",
-                 (read_vector(f, held.dim) - force).norm(), rounding * size);
+    claims.check(f, "force is the sum of its contacts'", (read_vector(f, held.dim) - force).norm(),
+                 rounding * size);
     most = std::max(most, normal);
     if (near(normal, at_limit * load.weight, unsure * load.weight)) clear = false;
     all_loaded = all_loaded && normal > at_limit * load.weight;
@@ -240,12 +244,12 @@ HoldClaim check_hold(Claims& claims, const Held& held, const Field& hold, Real f
   }
   check_forces(claims, held, hold, load, w, claim);
   const Real norm = std::sqrt(claim.effort) / W;
-  claims.check(hold, "force_norm is within the force cap", std::sqrt(claim.effort) / (force_cap * held.heaviest()), 1 + 1e-9L);
+  claims.check(hold, "force_norm is within the force cap",
+               std::sqrt(claim.effort) / (force_cap * held.heaviest()), 1 + 1e-9L);
   // y loses as many digits as it is longer than the weight.
   const Real lost = std::max(Real{1}, norm / 1000), small = 1e-15L * W * W + slack;
   claims.check(lower, "lower_bound follows from dual [of effort]",
-               std::max(Real{0}, says - best) / claim.effort,
-               1e-10L * lost + small / claim.effort);
+               std::max(Real{0}, says - best) / claim.effort, 1e-10L * lost + small / claim.effort);
   claims.check(lower, "effort is the least: it is the lower_bound [of effort]",
                std::abs(claim.effort - says) / claim.effort, 1e-9L * lost + small / claim.effort);
   return claim;

@@ -14,8 +14,8 @@ struct HoldClaim {
   Real effort{0};
   std::size_t scenario{0};
   std::string manner{};
-  std::vector<std::size_t> loaded{};   ///< contacts that press
-  bool slipping{true};                 ///< all of these slip
+  std::vector<std::size_t> loaded{};  ///< contacts that press
+  bool slipping{true};                ///< all of these slip
 };
 
 /// Whether the centre of mass lies in the fork of the fingers; unclear within rounding.

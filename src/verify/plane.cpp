@@ -159,7 +159,7 @@ Face face_of(const Touch& contact, const Eigen::Matrix<Real, 2, 1>& z) {
     face.P = edge * edge.transpose() / (1 + mu * mu);
     limit(face, foot);
     if (mu > 0) face.sides.emplace_back(t - mu * n);  // else both edges are one
-  } else {  // a corner, or the apex
+  } else {                                            // a corner, or the apex
     const Real corner = at(foot) <= lo ? lo : hi;
     face.f0 << corner, sign * mu * corner;
     const Real beyond = at(foot) <= lo ? -1 : 1;
@@ -216,7 +216,9 @@ void check_arc(Claims& claims, const Held& held, const Arc& arc, Real force_cap)
                                     : n > 0 && t <= contact.friction * n);
     const bool max = n >= contact.hi - little, min = contact.lo > 0 && n <= contact.lo + little;
     claims.check(limit, "limit is that of the arc's middle",
-                 at == "max" ? max : at == "min" ? min : (!max && !min) || n < 1e-6L * W);
+                 at == "max"   ? max
+                 : at == "min" ? min
+                               : (!max && !min) || n < 1e-6L * W);
   }
   claims.check(arc.field, "contacts keep to their faces along the arc [of y]", outside, 1e-7L);
 
@@ -246,9 +248,9 @@ void check_arc(Claims& claims, const Held& held, const Arc& arc, Real force_cap)
       claims.check(V.get(key, "a number"), "V is twice the dual value of y [of all coefficients]",
                    std::abs(claimed - true_value) / scale, 1e-11L + 4e-15L * std::sqrt(scale) / W);
   }
-  const Real cap = force_cap * W, most = -Effort{-arc.V.c0, -arc.V.cos1, -arc.V.sin1, -arc.V.cos2,
-                                                 -arc.V.sin2}
-                                              .least(arc.from, arc.to);
+  const Real cap = force_cap * W,
+             most = -Effort{-arc.V.c0, -arc.V.cos1, -arc.V.sin1, -arc.V.cos2, -arc.V.sin2}.least(
+                 arc.from, arc.to);
   claims.check(arc.field, "V is within the force cap: V / cap^2", most / (cap * cap), 1 + 1e-6L);
 }
 
@@ -290,7 +292,8 @@ struct Wedge {
 
 Real distance_to_segment(const Vec& a, const Vec& b) {
   const Vec ab = b - a;
-  const Real s = ab.squaredNorm() > 0 ? std::clamp(-a.dot(ab) / ab.squaredNorm(), Real{0}, Real{1}) : 0;
+  const Real s =
+      ab.squaredNorm() > 0 ? std::clamp(-a.dot(ab) / ab.squaredNorm(), Real{0}, Real{1}) : 0;
   return (a + s * ab).norm();
 }
 
@@ -430,7 +433,8 @@ std::vector<Valley> valleys(const Chain& chain, Real sign) {
     }
   }
   if (falling && !chain.circle) add(lowest);
-  if (chain.circle && found.empty()) found.push_back({points.front().at, points.front().at + 2 * pi});
+  if (chain.circle && found.empty())
+    found.push_back({points.front().at, points.front().at + 2 * pi});
   return found;
 }
 
@@ -452,12 +456,14 @@ void check_meeting(Claims& claims, const Held& held, const OptimumClaim& optimum
   const bool asked =
       optimum.kind == "kink" && optimum.hold.loaded.size() == 2 && optimum.hold.slipping;
   if (!asked) return;
-  const Field field = optimum.field.get("edges_meet", "a point, or null where the edges are parallel");
+  const Field field =
+      optimum.field.get("edges_meet", "a point, or null where the edges are parallel");
   const Load& load = held.loads.front();
   std::array<Vec, 2> edges;
   const auto contacts = optimum.field.get("contacts", "a list").list();
   for (std::size_t k = 0; k < 2; ++k)
-    edges[k] = read_vector(contacts[optimum.hold.loaded[k]].get("force", "a force"), 2).normalized();
+    edges[k] =
+        read_vector(contacts[optimum.hold.loaded[k]].get("force", "a force"), 2).normalized();
   const auto cross = [](const Vec& a, const Vec& b) { return a[0] * b[1] - a[1] * b[0]; };
   const Real sine = std::abs(cross(edges[0], edges[1]));
   if (field.is_null()) {
@@ -467,10 +473,10 @@ void check_meeting(Claims& claims, const Held& held, const OptimumClaim& optimum
   const Vec point = read_vector(field, 2);
   const Real extent = (point - load.com).norm() + load.radius, size = extent > 0 ? extent : 1;
   for (std::size_t k = 0; k < 2; ++k)
-    claims.check(field, "edges_meet is on the edges of the cones [of its distance]",
-                 std::abs(cross(point - held.contacts[optimum.hold.loaded[k]].position, edges[k])) /
-                     size,
-                 1e-9L);
+    claims.check(
+        field, "edges_meet is on the edges of the cones [of its distance]",
+        std::abs(cross(point - held.contacts[optimum.hold.loaded[k]].position, edges[k])) / size,
+        1e-9L);
   claims.check(field, "edges_meet is on the vertical through the com [of its distance]",
                std::abs(cross(point - load.com, optimum.hold.up)) / size,
                1e-9L / std::max(sine, Real{1e-6L}));
@@ -540,8 +546,9 @@ OptimumClaim check_optimum(Claims& claims, const Held& held, const Field& field,
   const Field kind = field.get("kind", "a word");
   const bool stretch = claim.to - claim.from > 1e-8L;
   const bool right = claim.kind == "boundary" ? at_end
-                     : claim.kind == "kink"   ? !stretch && !at_end && jump > 1e-12L
-                                              : !at_end && (stretch || jump < 1e-6L || flattest < 1e-5L);
+                     : claim.kind == "kink"
+                         ? !stretch && !at_end && jump > 1e-12L
+                         : !at_end && (stretch || jump < 1e-6L || flattest < 1e-5L);
   claims.check(kind, "kind follows from the arcs", right);
   check_meeting(claims, held, claim);
   return claim;
@@ -562,15 +569,14 @@ void check_complete(Claims& claims, const Field& list, const std::vector<Optimum
     }
   for (std::size_t i = 0; i < optima.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
-      claims.check(optima[i].field, words + " are listed once",
-                   std::abs(std::remainder(optima[i].hold.angle - optima[k].hold.angle, 2 * pi)) >
-                       1e-9L);
+      claims.check(
+          optima[i].field, words + " are listed once",
+          std::abs(std::remainder(optima[i].hold.angle - optima[k].hold.angle, 2 * pi)) > 1e-9L);
   for (std::size_t i = 1; i < optima.size(); ++i) {
     const HoldClaim &a = optima[i - 1].hold, &b = optima[i].hold;
     const Real worse = (maxima ? b.effort - a.effort : a.effort - b.effort) / b.effort;
     const Real digits = optima[i - 1].digits + optima[i].digits;
-    claims.check(optima[i].field, "optima are in the order of their effort", worse,
-                 2e-9L + digits);
+    claims.check(optima[i].field, "optima are in the order of their effort", worse, 2e-9L + digits);
     if (std::abs(worse) + digits > 0.5e-9L) continue;
     const Real nearer = std::abs(b.angle) - std::abs(a.angle);
     claims.check(optima[i].field, "of equal optima that of the least angle is first",
@@ -608,7 +614,9 @@ Real check_cover(Claims& claims, const Held& held, const Field& root, const std:
     pieces.push_back({&field, at, at + to - from, a, b, arc});
   };
   for (const Arc& arc : arcs)
-    if (!is_sliver(arc)) add(arc.field, arc.from, arc.to, arc.y * harmonics(arc.from), arc.y * harmonics(arc.to), true);
+    if (!is_sliver(arc))
+      add(arc.field, arc.from, arc.to, arc.y * harmonics(arc.from), arc.y * harmonics(arc.to),
+          true);
   for (const Gap& gap : gaps) add(gap.field, gap.from, gap.to, gap.y, gap.y, false);
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return a.from != b.from ? a.from < b.from : a.to < b.to;
@@ -630,7 +638,9 @@ Real check_cover(Claims& claims, const Held& held, const Field& root, const std:
     const bool by_arcs = (before && before->arc) || (after && after->arc);
     if (to <= reached || (to - reached <= ends && !by_arcs)) return;
     Real best = -std::numeric_limits<Real>::infinity();
-    const auto use = [&](const Vec& y) { best = std::max(best, least(proof(held, y, 0), reached, to)); };
+    const auto use = [&](const Vec& y) {
+      best = std::max(best, least(proof(held, y, 0), reached, to));
+    };
     if (before) use(before->y_to);
     if (after) use(after->y_from);
     if (to - reached > ends)
@@ -639,8 +649,8 @@ Real check_cover(Claims& claims, const Held& held, const Field& root, const std:
   };
   for (const Piece& piece : pieces) {
     reach(*piece.field, piece.from, &piece);
-    claims.check(*piece.field, "arcs do not overlap [rad]", std::min(reached, piece.to) - piece.from,
-                 ends);
+    claims.check(*piece.field, "arcs do not overlap [rad]",
+                 std::min(reached, piece.to) - piece.from, ends);
     if (piece.to >= reached) before = &piece;
     reached = std::max(reached, piece.to);
   }
@@ -659,7 +669,10 @@ void check_gap(Claims& claims, const Held& held, const Gap& gap, Real cap) {
       best = std::max(best, least(proof(held, y, delta), from, to));
     }
   claims.check(gap.field, "y proves that the force cap is not enough: cap^2 / bound",
-               from >= to ? 0 : best > 0 ? cap * cap / best : 2, 1);
+               from >= to ? 0
+               : best > 0 ? cap * cap / best
+                          : 2,
+               1);
 }
 
 Real force_cap(const Field& options) {
@@ -681,8 +694,7 @@ Fork fork_in_plane(const Held& held, const Load& load, const Vec& up) {
   if (!(wedge.to > wedge.from)) return Fork::no;
   if (wedge.unclear) return Fork::unclear;
   const Real at = std::atan2(up[0], up[1]), half = (wedge.to - wedge.from) / 2;
-  const Real inside =
-      half - std::abs(std::remainder(at - (wedge.to + wedge.from) / 2, 2 * pi));
+  const Real inside = half - std::abs(std::remainder(at - (wedge.to + wedge.from) / 2, 2 * pi));
   return inside > 1e-9L ? Fork::yes : inside < -1e-9L ? Fork::no : Fork::unclear;
 }
 
@@ -757,8 +769,7 @@ void check_best_in_plane(Claims& claims, const Held& held, const Field& root) {
   Real most = 0;
   for (const Chain& chain : chains)
     for (const Arc& arc : chain.arcs)
-      for (const Real at : arc.V.turning_points(arc.from, arc.to))
-        most = std::max(most, arc.V(at));
+      for (const Real at : arc.V.turning_points(arc.from, arc.to)) most = std::max(most, arc.V(at));
   const OptimumClaim highest = check_optimum(claims, held, worst, chains, true, weights);
   claims.check(worst, "worst is the highest V of the arcs", difference(highest.hold.effort, most),
                1e-7L);
