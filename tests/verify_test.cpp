@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "files/result.hpp"
+#include "files/spatial.hpp"
 #include "random_grasps.hpp"
 
 namespace poise {
@@ -94,7 +95,7 @@ TEST(Verify, RefutesFewOfTheAwkward) {
 /// Keys below which nothing is claimed: proofs, which may be any that prove, what was asked for,
 /// and what is stated for information.
 bool claims_nothing(const std::string& key) {
-  for (const char* word : {"dual", "y", "options", "residual", "poise_result", "cuts"})
+  for (const char* word : {"dual", "y", "options", "residual", "poise_result", "cuts", "holds"})
     if (key == word) return true;
   return false;
 }
@@ -127,11 +128,10 @@ bool is_rounding(double number, const std::string& path, double scale, double we
   return std::abs(number) <= std::max(1e-3 * scale, 1e-6);
 }
 
-void expect_spoilt_refused(const PlanarFile& file, const std::string& text) {
+void expect_spoilt_refused(const GraspFile& file, const std::string& text, double weight) {
   ASSERT_EQ(words(checked(file, text)), "");
   int spoilt = 0;
   Json document = Json::parse(text);
-  const double weight = file.object.weight;
   for_each_claim(document, "", 0, [&](double& number, const std::string& path, double scale) {
     if (is_rounding(number, path, scale, weight)) return;
     ++spoilt;
@@ -166,10 +166,10 @@ TEST(Verify, RefusesEveryNumberThatIsOff) {
   for (const char* name : {"ito-fig6", "l-part", "hexagon-three-fingers"}) {
     SCOPED_TRACE(name);
     const PlanarFile file = example(name);
-    expect_spoilt_refused(file, hold_text(file, file.angle.value_or(0.3)));
-    expect_spoilt_refused(file, curve_text(file));
-    expect_spoilt_refused(file, best_text(file));
-    expect_spoilt_refused(file, best_text(file, {Domain::pinched}));
+    expect_spoilt_refused(file, hold_text(file, file.angle.value_or(0.3)), file.object.weight);
+    expect_spoilt_refused(file, curve_text(file), file.object.weight);
+    expect_spoilt_refused(file, best_text(file), file.object.weight);
+    expect_spoilt_refused(file, best_text(file, {Domain::pinched}), file.object.weight);
   }
 }
 
@@ -220,6 +220,55 @@ TEST(Verify, RefusesProofsThatDoNotProve) {
       copy[list].erase(k);
       EXPECT_FALSE(checked(disk, copy.dump()).confirmed()) << k;
     }
+  }
+}
+
+/// A part on three fingers, one of them soft; it slips off unless it is nearly upright.
+SpatialFile on_three_fingers(const std::string& tilt) {
+  return std::get<SpatialFile>(grasp_from_yaml(
+      "poise: 1\ndimension: 3\nobject: {weight: 10, com: [0.1, 0.05, 0.9]}\n" + tilt +
+          "contacts:\n"
+          "  - {position: [1, 0, 0], normal: [0, 0, 1], friction: 0.3}\n"
+          "  - {position: [-0.5, 0.866, 0], normal: [0.1, 0, 1], friction: 0.3, torsion: 0.1}\n"
+          "  - {position: [-0.5, -0.866, 0], normal: [0, 0, 1], friction: 0.3}\n",
+      "three.yaml"));
+}
+
+std::string best_text(const SpatialFile& file, const Eigen::Quaterniond& orientation) {
+  SpatialSettings settings;
+  settings.tilt = file.tilt;
+  return best_document(file.grasps(), best_posture(file.grasps(), settings), settings, orientation);
+}
+
+TEST(Verify, RefusesWhatIsOffInSpace) {
+  const Eigen::Quaterniond lying(Eigen::AngleAxisd(1.2, Vector<3>(0.6, 0.64, 0.48)));
+  const SpatialFile file = on_three_fingers("tilt: {from: [0.1, 0, 1], max_deg: 20}\n");
+  const Vector<3> up = Vector<3>(0.1, 0.05, 1).normalized();
+  expect_spoilt_refused(file, hold_document(file.grasps(), hold_all(file.grasps(), up), {}, {}),
+                        10);
+  expect_spoilt_refused(file, best_text(file, lying), 10);
+}
+
+TEST(Verify, RefusesCutsThatDoNotProve) {
+  const auto none = Eigen::Quaterniond::Identity();
+  for (const char* tilt : {"", "tilt: {from: [0, 0, -1], max_deg: 30}\n"}) {
+    const SpatialFile file = on_three_fingers(tilt);
+    const Json best = Json::parse(best_text(file, none));
+    EXPECT_EQ(best["status"], *tilt ? "unholdable" : "optimal");
+    EXPECT_EQ(words(checked(file, best.dump())), "");
+    int needed = 0, turned = 0;
+    for (std::size_t k = 0; k < best["cuts"].size(); ++k) {
+      Json copy = best;
+      copy["cuts"].erase(k);
+      needed += checked(file, copy.dump()).confirmed() ? 0 : 1;
+      copy = best;
+      for (Json& number :
+           copy["cuts"][k].contains("y") ? copy["cuts"][k]["y"] : copy["cuts"][k]["n"])
+        number = -number.get<double>();
+      turned += checked(file, copy.dump()).confirmed() ? 0 : 1;
+    }
+    EXPECT_GE(needed, 3);
+    EXPECT_GE(turned, 3);
   }
 }
 

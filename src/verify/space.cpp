@@ -216,7 +216,7 @@ void check_best_in_space(Claims& claims, const Held& held, const Field& root) {
                1e-9L);
   claims.check(gap, "relative_gap is (effort - lower_bound) / effort",
                std::abs(gap.finite() - std::max(Real{0}, (hold.effort - bound) / hold.effort)),
-               1e-9L);
+               1e-13L);
   if (is == "optimal")
     claims.check(gap, "the gap is the wanted one", (hold.effort - bound) / hold.effort,
                  options.get("gap", "a number").finite() + 1e-9L);
