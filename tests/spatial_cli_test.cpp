@@ -445,6 +445,20 @@ TEST_F(SpaceBest, GivesTheAnswersThatTheExamplesTell) {
   EXPECT_NEAR(box["rotation"]["angle_deg"], 45, 1e-6);
   EXPECT_NEAR(box["best"]["grip_force"], 7.302, 0.0005);
   EXPECT_NEAR(json("hold box.yaml")["grip_force"], 9.471, 0.0005);
+
+  fs::copy_file(POISE_EXAMPLES "/cylinder-three-fingers.yaml", folder() / "cylinder.yaml");
+  const Json cylinder = best("cylinder.yaml"), upright = json("hold cylinder.yaml");
+  EXPECT_NEAR(cylinder["best"]["force_norm"], 0.5 * 9.80665, 1e-6);
+  EXPECT_EQ(cylinder["best"]["manner"], "resting");
+  EXPECT_NEAR(upright["grip_force"], 0.5 * 9.80665 / 3 / 0.5, 1e-9);  // W / 3 by friction 0.5
+  EXPECT_NEAR(upright["force_norm"], 6.330, 0.0005);
+
+  for (const std::string jaws : {"hard", "soft"}) {
+    fs::copy_file(POISE_EXAMPLES "/box-" + jaws + "-jaws.yaml", folder() / (jaws + ".yaml"));
+    EXPECT_NEAR(best(jaws + ".yaml")["best"]["grip_force"], 4.856, 0.0005);
+  }
+  EXPECT_FALSE(json("hold hard.yaml", 1)["holdable"]);
+  EXPECT_NEAR(json("hold soft.yaml")["grip_force"], 6.934, 0.0005);
 }
 
 TEST_F(Space, RefusesFlagsOfTheOtherDimension) {
