@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Makes the Debian packages, unpacks them and uses them: debian.sh BUILD SOURCE COMPILER
+# Makes the Debian packages, unpacks them and uses them:
+# debian.sh BUILD SOURCE COMPILER [PYTHON_DIR]
 set -euo pipefail
-build=$1 source=$2 compiler=$3
+build=$1 source=$2 compiler=$3 python_dir=${4:-}
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 (cd "$build" && cpack -G DEB -B "$dir/packages" > "$dir/log") || { cat "$dir/log"; exit 1; }
@@ -22,3 +23,10 @@ unpack libpoise-dev
 [[ $(field libpoise-dev Depends) == *libeigen3-dev* ]]
 "$source/tests/install/pkg_config.sh" "$dir/libpoise-dev" "$compiler" \
   "$source/examples/cpp/01_hold.cpp" | diff "$source/examples/expected/01_hold.txt" -
+
+[ -n "$python_dir" ] || exit 0
+unpack python3-poise
+[[ $(field python3-poise Depends) == *python3-numpy*python3* ]]
+cd "$dir"
+PYTHONPATH=$dir/python3-poise/usr/$python_dir /usr/bin/python3 "$source/examples/python/01_hold.py" |
+  diff "$source/examples/expected/01_hold.txt" -
