@@ -7,20 +7,10 @@
 #include <optional>
 #include <type_traits>
 
+#include "ascend.hpp"
+
 namespace poise::dual {
 namespace {
-
-double sum(const Lane& x) { return x[0] + x[1]; }
-Wide sum(const Wide& x) { return x; }
-
-/// The same number for all contacts of a lane.
-template <class T>
-LaneOf<T> all(const T& x) {
-  if constexpr (std::is_same_v<T, double>)
-    return Lane{x, x};
-  else
-    return x;
-}
 
 /// Projects every contact's z and adds up, without a branch. docs/theory.md has the three cases of
 /// the projection.
@@ -69,12 +59,13 @@ Square<2, T> curvature_plane(const Cones<2, T>& cones, const Point<2, T>& point)
     const L zt = point.lanes[p].z[1], n = point.lanes[p].f[0];
     const L mu = zt < zero ? -c.mu : c.mu;
     const auto inside = (zt < zero ? -zt : zt) < c.mu * n;
-    const auto free = limited ? (n > c.lo) & (n < c.hi) : n > zero;
+    L free = n > zero ? one : zero;  // neither at its least nor at its greatest
+    if constexpr (limited) free = n > c.lo ? (n < c.hi ? one : zero) : zero;
     // DΠ as a 2 x 2 matrix on forces along x and y: 1 inside, the edge's direction on the edge.
-    const L ex = c.nx - mu * c.ny, ey = c.ny + mu * c.nx, e = free ? c.edge : zero;
+    const L ex = c.nx - mu * c.ny, ey = c.ny + mu * c.nx, e = free * c.edge;
     L Pxx = e * ex * ex, Pxy = e * ex * ey, Pyy = e * ey * ey;
     if constexpr (limited) {
-      const L held = free ? zero : one;
+      const L held = one - free;
       Pxx = inside ? c.share - held * c.nx * c.nx : Pxx;
       Pxy = inside ? -held * c.nx * c.ny : Pxy;
       Pyy = inside ? c.share - held * c.ny * c.ny : Pyy;
@@ -96,13 +87,12 @@ Square<2, T> curvature_plane(const Cones<2, T>& cones, const Point<2, T>& point)
   return M;
 }
 
-/// G DΠ_K Gᵀ, upper triangle: minus the generalised Hessian of the dual function.
+}  // namespace
+
 template <class T>
 Square<2, T> curvature(const Cones<2, T>& cones, const Point<2, T>& point) {
   return cones.limited ? curvature_plane<true>(cones, point) : curvature_plane<false>(cones, point);
 }
-
-}  // namespace
 
 template <int Dim, class T>
 void evaluate(const Cones<Dim, T>& cones, const Screw<Dim, T>& w, const Screw<Dim, T>& y,
@@ -112,12 +102,6 @@ void evaluate(const Cones<Dim, T>& cones, const Screw<Dim, T>& w, const Screw<Di
   else
     evaluate_plane<false>(cones, w, y, point);
 }
-
-namespace {
-
-/// The distance from 1 to the next number.
-template <class T>
-constexpr double rounding_of = std::is_same_v<T, double> ? 2.2e-16 : 4.9e-32;
 
 /// x = M⁻¹ r for positive semidefinite M (upper triangle), by M = UᵀDU without divisions on the
 /// way. Directions in which M vanishes get very long steps instead of none.
@@ -146,35 +130,8 @@ T quadratic(const Square<2, T>& M, const Screw<2, T>& x) {
          x[1] * (M(1, 1) * x[1] + 2 * M(1, 2) * x[2]) + M(2, 2) * x[2] * x[2];
 }
 
-/// The larger of the force and the moment of a scaled wrench.
-template <int Dim, class T>
-T size(const Screw<Dim, T>& w) {
-  return std::max<T>(w.template head<Dim>().norm(),
-                     w.template tail<wrench_size<Dim> - Dim>().norm());
-}
-
-/// Dual to `size`: |v| + |omega|.
-template <int Dim, class T>
-T length(const Screw<Dim, T>& y) {
-  return y.template head<Dim>().norm() + y.template tail<wrench_size<Dim> - Dim>().norm();
-}
-
-/// A length for comparisons.
-template <class V>
-auto span(const V& y) {
-  return y.cwiseAbs().sum();
-}
-
-template <int Dim, class T>
-T squared_norm(const Point<Dim, T>& point) {
-  LaneOf<T> sum_{};
-  for (const LaneForces<Dim, T>& lane : point.lanes)
-    for (int k = 0; k < Dim; ++k) sum_ += lane.f[k] * lane.f[k];
-  return sum(sum_);
-}
-
-/// Near the limit of friction |z| is about |f|², and Π_K(z) has lost digits. The forces have not:
-/// on the faces where z is, they are corrected until they balance. False if they leave their faces.
+/// On the faces where z is, the forces are corrected until they balance. False if they leave their
+/// faces.
 bool polish(const Cones<2>& grasp, const Wrench<2>& w, double tolerance, Point<2>& point) {
   Point<2> trial = point;
   const Square<2, double> M = curvature(grasp, point);
@@ -216,8 +173,6 @@ bool polish(const Cones<2>& grasp, const Wrench<2>& w, double tolerance, Point<2
   return true;
 }
 
-}  // namespace
-
 template <class T>
 Eigen::Matrix<T, 3, 2> columns(const Cones<2, T>& cones, std::size_t contact) {
   const ContactLane<2, T>& c = cones.lanes[contact / lane_size_of<T>];
@@ -230,31 +185,26 @@ Eigen::Matrix<T, 3, 2> columns(const Cones<2, T>& cones, std::size_t contact) {
 }
 
 template <class T>
-Face<T> face(const T& mu, const T& share, const T& lo, const T& hi,
+Face<T> face(const T& mu, const T& edge, const T& lo, const T& hi,
              const Eigen::Matrix<T, 2, 1>& z) {
   const T beside = z[1] < 0 ? -z[1] : z[1], zero = 0, one = 1;
   Face<T> face{};
   face.sign = z[1] < 0 ? -1 : 1;
   face.edge = !(beside < mu * std::clamp(z[0], lo, hi));
-  const T n = face.edge ? (z[0] + mu * beside) * share : z[0];
+  const T n = face.edge ? (z[0] + mu * beside) * edge : z[0];
   face.at_lo = !(n > lo);
   face.at_hi = !face.at_lo && !(n < hi);
   const bool free = !face.at_lo && !face.at_hi;
   const T held = face.at_lo ? lo : hi;
-  const Eigen::Matrix<T, 2, 1> edge(one, face.sign * mu);
+  const Eigen::Matrix<T, 2, 1> along(one, face.sign * mu);
   if (face.edge) {
-    face.P = (free ? share : zero) * edge * edge.transpose();
-    face.f0 = (free ? zero : held) * edge;
+    face.P = (free ? edge : zero) * along * along.transpose();
+    face.f0 = (free ? zero : held) * along;
   } else {
     face.P << (free ? one : zero), zero, zero, one;
     face.f0 << (free ? zero : held), zero;
   }
   return face;
-}
-
-template <int Dim, class T>
-T lower_bound(const Point<Dim, T>& point) {
-  return 2 * (point.value - delta * length<Dim, T>(point.y));
 }
 
 namespace {
@@ -305,104 +255,6 @@ Twist<2> cold_start<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
 }
 
 namespace {
-
-enum class Rise { none, some, proof };
-
-/// Goes from y along d, of length 1, as far as a proof that nothing holds needs: `far` is it, if it
-/// is one.
-template <int Dim, class T>
-Rise prove(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim, T>& y,
-           const Screw<Dim, T>& d, double force_cap, Point<Dim, T>& far) {
-  // Far out, but not so far that rounding in G^T d makes itself felt as a force.
-  evaluate<Dim, T>(grasp, w, T(2e-3 / rounding_of<T>) * d, far);
-  const T rise = far.residual.dot(d) - delta;
-  if (rise <= 0) return Rise::none;
-  evaluate<Dim, T>(grasp, w, y + 0.55 * force_cap * force_cap / rise * d, far);
-  // Others may round G^T y otherwise: then it must still be a proof.
-  const T rounding = rounding_of<T> * length<Dim, T>(far.y);
-  const T doubt = rounding * rounding * static_cast<double>(grasp.size);
-  return lower_bound(far) - doubt > force_cap * force_cap ? Rise::proof : Rise::some;
-}
-
-/// maximise() with a y of its own in the unholdable case: any that proves it. With rho > 0 it
-/// maximises value − ½ rho |y|² instead, whose y is bounded: (w − G f) / rho.
-template <int Dim, class T>
-bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim, T>& start,
-            double force_cap, double rho, Point<Dim, T>& point) {
-  constexpr double rounding = rounding_of<T>;
-  const double unholdable = force_cap * force_cap;
-  const auto above_cap = [&] {
-    return 2 * point.value > unholdable && lower_bound(point) > unholdable;
-  };
-  bool settled = false, unbounded = false;
-  int cuts = 0;  // steps in a row that changing faces cut short
-  const auto evaluate_at = [&](const Screw<Dim, T>& y) {
-    evaluate<Dim, T>(grasp, w, y, point);
-    if (rho == 0) return;
-    point.value -= rho / 2 * y.squaredNorm();
-    point.residual -= T(rho) * y;
-  };
-  const auto curvature_here = [&] {
-    Square<Dim, T> M = curvature(grasp, point);
-    if (rho > 0) M.diagonal().array() += T(rho);
-    return M;
-  };
-  evaluate_at(start);
-  // Where steps are cut short again and again, the next heeds the faces passed before: else
-  // it zigzags between them near the limit of holding.
-  Square<Dim, T> M;
-  for (int step = 0; step < 100; ++step) {
-    const T error = point.residual.cwiseAbs().maxCoeff();
-    if (above_cap()) return false;
-    if (rho > 0) {
-      if (error <= 4500 * rounding + 45 * rounding * span(point.y)) return true;
-    } else if constexpr (std::is_same_v<T, double>) {
-      if (error <= 1e-13 && std::abs(point.y.dot(point.residual)) <= 1e-12 * std::abs(point.value))
-        return true;
-      if ((settled || error <= delta / 2 + 1e-14 * span(point.y)) && polish(grasp, w, 1e-13, point))
-        return !above_cap();
-      if (unbounded && error <= 0.5 * delta) return true;
-    }
-
-    M = cuts > 1 ? Square<Dim, T>(curvature_here() + T(0.5) * M) : curvature_here();
-    Screw<Dim, T> dy = newton_step(M, point.residual);
-    const T reach = (step < 4 ? 3 : 100) * (1 + span(point.y)), stretch = span(dy);
-    if (stretch > reach) {
-      M.diagonal().array() += point.residual.norm() / reach;
-      dy = newton_step(M, point.residual);
-    }
-    const T before = point.value, slope = point.residual.dot(dy);
-    T least = 0, most = 1, a = 1, slope_there = 0;
-    const Screw<Dim, T> y = point.y;
-    for (int trial = 0; trial < 60; ++trial) {
-      evaluate_at(y + a * dy);
-      slope_there = point.residual.dot(dy);
-      if (trial == 0 && point.value - before >= 0.1 * slope) break;  // the full step will do
-      // Else stop where the slope vanishes: it falls with a, piecewise linearly.
-      using std::abs;
-      if (abs(slope_there) <= 1e-9 * slope || most - least <= 4.5 * rounding * most) break;
-      (slope_there > 0 ? least : most) = a;
-      a += slope_there / quadratic(curvature_here(), dy);
-      if (!(a > least && a < most)) a = (least + most) / 2;
-    }
-    using std::abs;
-    const bool cut = a < 1;
-    settled = !cut && abs(slope_there) <= 1e-6 * slope;
-    // Still rising where every step is long: does it rise for ever?
-    if (rho == 0 && stretch > reach && slope_there > 0.5 * slope) {
-      Point<Dim, T> far = point;
-      const T one = length<Dim, T>(dy);
-      const Rise rise = prove<Dim, T>(grasp, w, point.y, dy / one, force_cap, far);
-      if (rise == Rise::proof) {
-        point = far;
-        return false;
-      }
-      unbounded = rise == Rise::none;
-    }
-    cuts = cut ? cuts + 1 : 0;
-  }
-  return size<Dim, T>(point.residual) <= 0.5 * delta;
-}
 
 /// From the y that is pulled towards 0 by rho: the direction from what can be balanced to w, as a
 /// proof that nothing holds. It is normal to the faces on which the nearest balance lies, and so

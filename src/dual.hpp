@@ -23,7 +23,7 @@ using Square = Eigen::Matrix<T, wrench_size<Dim>, wrench_size<Dim>>;
 /// z = Gᵀy and f = Π_K(z) of the contacts of one lane.
 template <int Dim, class T>
 struct LaneForces {
-  LaneOf<T> z[Dim], f[Dim];
+  LaneOf<T> z[contact_size<Dim>], f[contact_size<Dim>];
 };
 
 /// The dual function at y.
@@ -33,8 +33,9 @@ struct Point {
 
   explicit Point(std::size_t contacts) : lanes((contacts + lane - 1) / lane) {}
 
-  Eigen::Matrix<T, Dim, 1> z(std::size_t i) const { return at(i, lanes[i / lane].z); }
-  Eigen::Matrix<T, Dim, 1> f(std::size_t i) const { return at(i, lanes[i / lane].f); }
+  static constexpr int rows = contact_size<Dim>;
+  Eigen::Matrix<T, rows, 1> z(std::size_t i) const { return at(i, lanes[i / lane].z); }
+  Eigen::Matrix<T, rows, 1> f(std::size_t i) const { return at(i, lanes[i / lane].f); }
 
   Screw<Dim, T> y;
   SmallVector<LaneForces<Dim, T>, 16 / lane> lanes;
@@ -42,9 +43,9 @@ struct Point {
   Screw<Dim, T> residual;  ///< w − G f: the gradient
 
  private:
-  static Eigen::Matrix<T, Dim, 1> at(std::size_t i, const LaneOf<T> (&of)[Dim]) {
-    Eigen::Matrix<T, Dim, 1> v;
-    for (int k = 0; k < Dim; ++k) v[k] = element(of[k], i % lane);
+  static Eigen::Matrix<T, rows, 1> at(std::size_t i, const LaneOf<T> (&of)[rows]) {
+    Eigen::Matrix<T, rows, 1> v;
+    for (int k = 0; k < rows; ++k) v[k] = element(of[k], i % lane);
     return v;
   }
 };
@@ -78,6 +79,12 @@ template <int Dim, class T>
 void evaluate(const Cones<Dim, T>& cones, const Screw<Dim, T>& w, const Screw<Dim, T>& y,
               Point<Dim, T>& point);
 
+template <>
+void evaluate(const Cones<3>& cones, const Wrench<3>& w, const Twist<3>& y, Point<3>& point);
+template <>
+void evaluate(const Cones<3, Wide>& cones, const Screw<3, Wide>& w, const Screw<3, Wide>& y,
+              Point<3, Wide>& point);
+
 /// 2 (value − delta (|v| + |omega|)): what any force that balances w within delta must cost.
 template <int Dim, class T>
 T lower_bound(const Point<Dim, T>& point);
@@ -85,6 +92,10 @@ T lower_bound(const Point<Dim, T>& point);
 /// Where to start without a y of a load nearby.
 template <int Dim>
 Twist<Dim> cold_start(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w);
+template <>
+Twist<2> cold_start(const ScaledGrasp<2>& grasp, const Wrench<2>& w);
+template <>
+Twist<3> cold_start(const ScaledGrasp<3>& grasp, const Wrench<3>& w);
 
 /// Maximises from `start`. True: point.f is the hold of least effort, point.y its proof. False: it
 /// cannot be held, lower_bound(point) > force_cap^2, by the y that tells w best from what can be
@@ -92,6 +103,17 @@ Twist<Dim> cold_start(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w);
 template <int Dim>
 bool maximise(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& start,
               double force_cap, Point<Dim>& point);
+template <>
+bool maximise(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
+              double force_cap, Point<2>& point);
+template <>
+bool maximise(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
+              double force_cap, Point<3>& point);
+
+/// The same as far as doubles come: true where point.f balances w but for their rounding. False:
+/// point.y may prove that it cannot be held, or nothing.
+bool approach(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
+              double force_cap, Point<3>& point);
 
 /// The same in wider numbers, for where rounding of doubles leaves it open: True: point.f balances
 /// w with at most the force cap. False: it cannot be held, and point.y tells w from what can be

@@ -1,5 +1,6 @@
 #include "poise/grasp.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -47,17 +48,44 @@ void check(const Contact<Dim>& contact, const std::string& path) {
                                                  text(contact.min_normal));
   check(contact.share, contact.share > 0 && contact.share <= 1, path + ".share",
         "above 0 and at most 1");
+  const double torsion = contact.torsion;
+  if (Dim == 2) check(torsion, torsion == 0, path + ".torsion", "0 in the plane");
+  check(torsion, torsion >= 0, path + ".torsion", "at least 0");
+  check(torsion, torsion == 0 || contact.friction > 0, path + ".torsion",
+        "0 where there is no friction");
+  // The solver divides by it.
+  check(torsion > 0 ? contact.friction / torsion : 0, true, path + ".torsion",
+        "less small against the friction");
 }
 
-/// The contact's columns of G about `about`: the normal force first, then the tangential one.
-Eigen::Matrix<double, 3, 2> columns(const Contact<2>& contact, const Vector<2>& about) {
-  const Vector<2> r = contact.position - about, n = contact.normal, t(-n.y(), n.x());
+/// The contact's columns of G about the origin: the normal force first.
+Eigen::Matrix<double, 3, 2> columns(const Contact<2>& contact) {
+  const Vector<2> r = contact.position, n = contact.normal, t(-n.y(), n.x());
   Eigen::Matrix<double, 3, 2> c;
   c << n, t, r.x() * n.y() - r.y() * n.x(), r.x() * t.y() - r.y() * t.x();
   return c;
 }
+Eigen::Matrix<double, 6, 4> columns(const Contact<3>& contact) {
+  Eigen::Matrix3d frame;
+  frame << contact.normal, tangents(contact.normal);
+  Eigen::Matrix<double, 6, 4> c = Eigen::Matrix<double, 6, 4>::Zero();
+  c.topLeftCorner<3, 3>() = frame;
+  for (int k = 0; k < 3; ++k) c.col(k).tail<3>() = contact.position.cross(frame.col(k));
+  c.col(3).tail<3>() = contact.normal;
+  return c;
+}
 
 }  // namespace
+
+// Duff et al., Building an orthonormal basis, revisited (2017): no normal is special.
+Eigen::Matrix<double, 3, 2> tangents(const Vector<3>& n) {
+  const double sign = std::copysign(1, n.z()), a = -1 / (sign + n.z()), b = n.x() * n.y() * a;
+  Eigen::Matrix<double, 3, 2> t;
+  t << 1 + sign * n.x() * n.x() * a, b,    //
+      sign * b, sign + n.y() * n.y() * a,  //
+      -sign * n.x(), -n.y();
+  return t;
+}
 
 template <int Dim>
 Grasp<Dim>::Grasp(const Object<Dim>& object, std::vector<Contact<Dim>> contacts, double safety)
@@ -73,6 +101,7 @@ Grasp<Dim>::Grasp(const Object<Dim>& object, std::vector<Contact<Dim>> contacts,
     check<Dim>(contact, path);
     contact.normal = contact.normal.stableNormalized();
     contact.friction /= safety;
+    contact.torsion /= safety;
     const double distance = (contact.position - object_.com).norm();
     if (!std::isfinite(distance))
       throw InvalidGrasp(path + ".position", "is too far from the centre of mass");
@@ -93,21 +122,28 @@ Grasp<Dim>::Grasp(const Object<Dim>& object, std::vector<Contact<Dim>> contacts,
 template <int Dim>
 Wrench<Dim> Grasp<Dim>::load(const Vector<Dim>& up) const {
   const Vector<Dim> force = object_.weight * up, &com = object_.com;
-  return {force.x(), force.y(), com.x() * force.y() - com.y() * force.x()};
+  Wrench<Dim> load;
+  if constexpr (Dim == 2)
+    load << force, com.x() * force.y() - com.y() * force.x();
+  else
+    load << force, com.cross(force);
+  return load;
 }
 
 template <int Dim>
 Eigen::Matrix<double, wrench_size<Dim>, Eigen::Dynamic> grasp_matrix(const Grasp<Dim>& grasp) {
   const auto& contacts = grasp.contacts();
+  constexpr int width = contact_size<Dim>;
   Eigen::Matrix<double, wrench_size<Dim>, Eigen::Dynamic> G(
-      wrench_size<Dim>, Dim * static_cast<int>(contacts.size()));
+      wrench_size<Dim>, width * static_cast<int>(contacts.size()));
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    G.template middleCols<Dim>(Dim * static_cast<int>(i)) =
-        columns(contacts[i], Vector<Dim>::Zero());
+    G.template middleCols<width>(width * static_cast<int>(i)) = columns(contacts[i]);
   return G;
 }
 
 template class Grasp<2>;
+template class Grasp<3>;
 template Eigen::Matrix<double, 3, Eigen::Dynamic> grasp_matrix<2>(const Grasp<2>&);
+template Eigen::Matrix<double, 6, Eigen::Dynamic> grasp_matrix<3>(const Grasp<3>&);
 
 }  // namespace poise

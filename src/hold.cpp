@@ -1,6 +1,7 @@
 #include "poise/hold.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,6 +33,12 @@ Vector<2> contact_velocity(const Grasp<2>& grasp, std::size_t i, const Twist<2>&
 /// The moments, about the origin, of forces (the top rows) that act at the com.
 Eigen::RowVector2d moment_of_com(const Vector<2>& com, const Eigen::Matrix<double, 3, 2>& forces) {
   return com.x() * forces.row(1) - com.y() * forces.row(0);
+}
+Eigen::Matrix<double, 3, 4> moment_of_com(const Vector<3>& com,
+                                          const Eigen::Matrix<double, 6, 4>& forces) {
+  Eigen::Matrix<double, 3, 4> moments;
+  for (int k = 0; k < 4; ++k) moments.col(k) = com.cross(forces.col(k).head<3>());
+  return moments;
 }
 
 /// For words: without the minus of a rounded zero.
@@ -211,10 +218,12 @@ bool force_closure(const Grasp<Dim>& grasp) {
     contact.min_normal = 0;
     contact.max_normal = std::numeric_limits<double>::infinity();
     contact.share = 1;
-    const int first = Dim * static_cast<int>(i);
-    const int forces = contact.friction > 0 ? Dim : 1;
+    constexpr int width = contact_size<Dim>;
+    const int first = width * static_cast<int>(i);
+    const int forces = contact.friction > 0 ? contact.torsion > 0 ? width : Dim : 1;
     inside += W * G.col(first);
-    Eigen::Matrix<double, rows, Dim> columns = G.template middleCols<Dim>(first);
+    Eigen::Matrix<double, rows, width> columns = G.template middleCols<width>(first);
+    if (contact.torsion > 0) columns.col(width - 1) *= contact.torsion;
     columns.bottomRows(rows - Dim) -= moment_of_com(grasp.object().com, columns);
     columns.bottomRows(rows - Dim) /= L;
     span += columns.leftCols(forces) * columns.leftCols(forces).transpose();
@@ -226,6 +235,7 @@ bool force_closure(const Grasp<Dim>& grasp) {
 }
 
 template bool force_closure<2>(const Grasp<2>&);
+template bool force_closure<3>(const Grasp<3>&);
 
 const char* to_string(ContactState state) {
   constexpr const char* names[] = {"unloaded", "sticking", "slipping"};
@@ -238,6 +248,8 @@ const char* to_string(ForceLimit limit) {
 }
 
 template double grip_force<2>(const Grasp<2>&, const Hold<2>&);
+template double grip_force<3>(const Grasp<3>&, const Hold<3>&);
 template bool all_loaded<2>(const Grasp<2>&, const Hold<2>&);
+template bool all_loaded<3>(const Grasp<3>&, const Hold<3>&);
 
 }  // namespace poise

@@ -44,6 +44,18 @@ struct ContactLane<2, T> {
   LaneOf<T> unit;      ///< of its forces: W sqrt(share) [N]
 };
 
+/// In space the friction cone is round in (t1, t2, m / gamma'), with gamma' = gamma / (mu L).
+template <class T>
+struct ContactLane<3, T> {
+  LaneOf<T> n[3], a[3], b[3];  ///< inward normal and tangents, times sqrt(share)
+  LaneOf<T> r[3];              ///< from the com to the contact
+  LaneOf<T> soft;              ///< gamma'; 0 for a hard finger
+  LaneOf<T> share;
+  LaneOf<T> mu, edge;  ///< as in the plane
+  LaneOf<T> lo, hi;
+  LaneOf<T> unit;
+};
+
 /// The contacts, in numbers of type T: the grasp matrix and the friction cones.
 template <int Dim, class T = double>
 struct Cones {
@@ -60,9 +72,12 @@ struct ScaledGrasp : Cones<Dim> {
   double per_weight;  ///< 1 / W [1/N]
   /// Pseudo-inverse of G G^T: the dual of a load while no contact is at the border of its cone.
   Eigen::Matrix<double, wrench_size<Dim>, wrench_size<Dim>> inverse;
+  /// Twists that no contact feels, an orthonormal basis: two hard fingers leave one in space.
+  std::vector<Twist<Dim>> unfelt;
 };
 
 /// The same contacts in wider numbers.
 Cones<2, Wide> widened(const Cones<2>& cones);
+Cones<3, Wide> widened(const Cones<3>& cones);
 
 }  // namespace poise

@@ -1,10 +1,12 @@
 // What the user asked for.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "poise/posture.hpp"
 
@@ -25,10 +27,16 @@ struct Arguments {
   std::string file{};
   bool json{false};
   std::optional<double> angle_deg{};  ///< in (-180, 180]
-  std::optional<Vector<2>> up{};      ///< as given: of any length but 0
+  std::vector<double> up{};           ///< as given: 2 or 3 numbers of any length but 0, or none
   std::optional<Domain> domain{};
-  double force_cap{1e6};              ///< [weights]
-  std::optional<std::string> plot{};  ///< the SVG file to draw
+  double force_cap{1e6};  ///< [weights]
+  // Space.
+  std::optional<double> gap{};
+  std::optional<int> max_holds{};
+  std::optional<Vector<3>> tilt_from{};             ///< unit vector
+  std::optional<double> tilt_max_deg{};             ///< 0 to 90
+  std::optional<Eigen::Quaterniond> orientation{};  ///< object to world
+  std::optional<std::string> plot{};                ///< the SVG file to draw
   PaperArguments paper{};
 };
 

@@ -12,7 +12,8 @@ namespace poise {
 ///
 /// The force of the finger on the object is given in the contact frame: the normal force along the
 /// inward normal n, and the tangential force, in the plane one number along n turned by +90
-/// degrees.
+/// degrees. A soft finger also passes on a moment m about n: (|t| / mu)^2 + (m / gamma)^2 <= n^2,
+/// and in the effort m counts as the force m mu / gamma.
 template <int Dim>
 struct Contact {
   Vector<Dim> position = Vector<Dim>::Zero();  ///< [m], object frame
@@ -24,6 +25,16 @@ struct Contact {
   double share{1};
   // "", since {} makes g++ 12 crash on grasps written as nested braces.
   std::string finger = "";  ///< label; left empty, the contact is a finger of its own
+  /// gamma [m], >= 0, in space only: above 0 the finger is soft. Needs friction.
+  double torsion{0};
 };
+
+/// Numbers that describe a contact force: normal and tangential, in space normal, two tangential
+/// and the moment about the normal.
+template <int Dim>
+inline constexpr int contact_size = Dim == 2 ? 2 : 4;
+
+/// Two unit vectors a, b in the columns that make (normal, a, b) a right-handed frame.
+Eigen::Matrix<double, 3, 2> tangents(const Vector<3>& normal);
 
 }  // namespace poise

@@ -31,7 +31,7 @@ struct ScaledGrasp;
 template <int Dim>
 class Grasp {
  public:
-  /// @param safety  every friction is divided by it, >= 1
+  /// @param safety  every friction and torsion is divided by it, >= 1
   /// @throws InvalidGrasp where a number is not finite or out of its range, a normal has no length,
   ///         or there are no contacts.
   Grasp(const Object<Dim>& object, std::vector<Contact<Dim>> contacts, double safety = 1);
@@ -60,7 +60,9 @@ class Grasp {
 };
 
 /// G: stacked contact forces (normal, tangential; contact by contact) to the wrench on the object
-/// about the object frame's origin. Size wrench_size x (Dim * contacts). The paper's equation (4).
+/// about the object frame's origin. Size wrench_size x (contact_size * contacts). The paper's
+/// equation (4). In space each contact has four columns: forces along the normal and along
+/// tangents(normal) [N], and the moment about the normal [N m], which only soft fingers pass on.
 template <int Dim>
 Eigen::Matrix<double, wrench_size<Dim>, Eigen::Dynamic> grasp_matrix(const Grasp<Dim>& grasp);
 

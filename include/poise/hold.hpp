@@ -13,17 +13,29 @@ enum class ForceLimit : unsigned char { none, min, max };
 const char* to_string(ContactState state);
 const char* to_string(ForceLimit limit);
 
-/// In the plane one number, along the normal turned by +90 degrees.
+/// The force of a finger on the object at one contact.
 template <int Dim>
-using Tangential = std::conditional_t<Dim == 2, double, Eigen::Matrix<double, Dim - 1, 1>>;
+struct ContactForce;
 
-/// The force of a finger on the object at one contact, in the contact frame.
-template <int Dim>
-struct ContactForce {
-  double normal;               ///< along the inward normal [N], >= 0
-  Tangential<Dim> tangential;  ///< [N]
+/// In the contact frame.
+template <>
+struct ContactForce<2> {
+  double normal;      ///< along the inward normal [N], >= 0
+  double tangential;  ///< along the normal turned by +90 degrees [N]
   /// tangential / (friction * normal), 0 to 1; 1 for a loaded frictionless contact, 0 for an
   /// unloaded one.
+  double friction_used;
+  ContactState state;
+  ForceLimit limit;
+};
+
+template <>
+struct ContactForce<3> {
+  double normal;          ///< along the inward normal [N], >= 0
+  Vector<3> tangential;   ///< tangent to the contact, object frame [N]
+  double torsion_moment;  ///< of a soft finger, about the inward normal [N m]
+  /// sqrt(|tangential|^2 + (torsion_moment friction / torsion)^2) / (friction * normal), 0 to 1; 1
+  /// for a loaded frictionless contact, 0 for an unloaded one.
   double friction_used;
   ContactState state;
   ForceLimit limit;
@@ -40,7 +52,8 @@ struct Hold {
   /// Where unholdable: whether lower_bound is above the cap. Within rounding of the limit of
   /// holding there may be neither forces nor a proof.
   bool proven{true};
-  double effort{0};  ///< V = sum |f_i|^2 / share_i [N^2]; 0 where unholdable
+  /// V = sum |f_i|^2 / share_i [N^2]; 0 where unholdable. Moments of soft fingers count in f_i.
+  double effort{0};
   /// Optimal dual y, a twist about the object frame's origin [N, N/m].
   /// Proof: V >= lower_bound = 2 (y . w - phi(G^T y)) for every force that balances w. Where
   /// unholdable, the same with w moved by the balance tolerance: lower_bound > force_cap^2.
@@ -84,10 +97,13 @@ bool all_loaded(const Grasp<Dim>& grasp, const Hold<Dim>& hold);
 
 /// How the object is held in the posture `up` by these forces.
 Manner manner(const Grasp<2>& grasp, const Vector<2>& up, const Hold<2>& hold);
+Manner manner(const Grasp<3>& grasp, const Vector<3>& up, const Hold<3>& hold);
 
 /// Why an unholdable load cannot be held, in words: the motion that it drives and no contact
 /// opposes ("it would turn clockwise about (0.1, 0) m").
 std::string reason(const Grasp<2>& grasp, const Hold<2>& hold);
+/// In space also "it would turn about the line through contacts 0 and 1".
+std::string reason(const Grasp<3>& grasp, const Hold<3>& hold);
 
 /// Whether the contacts, without force limits, can balance any wrench at all.
 template <int Dim>

@@ -28,6 +28,10 @@ struct Interval {
 /// of less than 180 degrees, by geometry alone; from == to where nothing is cradled.
 Interval cradled_wedge(const Grasp<2>& grasp);
 
+/// Whether in the posture `up` the centre of mass lies in the fork of the fingers: outside the hull
+/// of the contact points (by more than 1e-9 L), and straight above some point of it, not only just.
+bool cradled(const Grasp<3>& grasp, const Vector<3>& up);
+
 /// How the object is held.
 enum class Manner {
   resting,  ///< a finger carries nothing, or there is only one finger
