@@ -21,7 +21,10 @@ _poise() {
     '') flags='-h --help --version' ;;
     check) flags='-h --help --json' ;;
     hold) flags='-h --help --json --angle --up --force-cap' ;;
-    best) flags='-h --help --json --domain --force-cap' ;;
+    best)
+      flags='-h --help --json --domain --force-cap --gap --max-holds --tilt-from --tilt-max
+        --orientation'
+      ;;
     curve) flags='-h --help --json --domain --force-cap --plot' ;;
     paper) flags='-h --help --json --out --phi --mu1 --mu2 --weight' ;;
     *) return ;;
@@ -34,7 +37,8 @@ _poise() {
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$word")
       ;;
-    --angle | --up | --force-cap | --phi | --mu1 | --mu2 | --weight) ;;  # numbers
+    --angle | --up | --force-cap | --gap | --max-holds | --tilt-from | --tilt-max | --orientation) ;;
+    --phi | --mu1 | --mu2 | --weight) ;;  # numbers
     *)
       if [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$flags" -- "$word")

@@ -356,6 +356,11 @@ class Files(unittest.TestCase):
             with self.assertRaises(poise.FileError):
                 poise.load(Path(directory, "none.yaml"))
 
+    def test_space_is_refused(self):
+        with self.assertRaises(poise.FileError) as caught:
+            poise.load(ROOT / "examples" / "bottle.yaml")
+        self.assertEqual(caught.exception.path, "dimension")
+
     def test_errors_of_dictionaries_tell_the_path(self):
         for wrong in [-1, math.nan, math.inf, "much", None]:
             values = poise.to_dict(disk())
