@@ -19,7 +19,7 @@ _poise() {
 
   case $command in
     '') flags='-h --help --version' ;;
-    check) flags='-h --help --json' ;;
+    check | verify) flags='-h --help --json' ;;
     hold) flags='-h --help --json --angle --up --force-cap' ;;
     best)
       flags='-h --help --json --domain --force-cap --gap --max-holds --tilt-from --tilt-max
@@ -43,7 +43,7 @@ _poise() {
       if [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$flags" -- "$word")
       elif [[ -z $command ]]; then
-        mapfile -t COMPREPLY < <(compgen -W 'check hold best curve paper' -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W 'check hold best curve verify paper' -- "$word")
       elif [[ $command != paper ]]; then
         _poise_files 'yaml|yml|json'
       fi

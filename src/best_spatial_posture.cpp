@@ -54,7 +54,7 @@ struct Cone {
   }
   /// The plane n . x <= 0 that touches the cone on x's side.
   Vector<3> plane(const Vector<3>& x) const {
-    if (most >= pi / 2) return -axis;
+    if (most >= pi / 2 || axis.dot(x) < 0) return -axis;
     return std::cos(most) * across(x) - std::sin(most) * axis;
   }
   Vector<3> nearest(const Vector<3>& x) const {
@@ -156,8 +156,12 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
     bool holdable = !exact && dual::approach(grasp, w, start, scenario.cap, point);
     double square = dual::squared_norm(point);
     if (exact || (holdable && !(in_units * square > (1 + 1e-6) * best_V_))) {
+      dual::Point<3> rough = point;
+      const bool approached = holdable;
       holdable = dual::maximise(grasp, w, exact ? start : Twist<3>(point.y), scenario.cap, point);
       square = dual::squared_norm(point);
+      // Rounding of a load may ask for a very long y, of no use for other loads.
+      if (approached && holdable && dual::span(point.y) > 1e3 * dual::span(rough.y)) point = rough;
     }
     ++holds_;
     const double V = holdable ? in_units * square : infinity;
@@ -169,7 +173,8 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
     row.n = point.y.head<3>() / row.speed;
     // Rounding of G^T y must not make a cut deeper than it is.
     const double rounding = 2.2e-16 * point.y.cwiseAbs().sum();
-    const double norm = std::sqrt(square) + rounding * std::sqrt(static_cast<double>(grasp.size));
+    const double norm = std::sqrt(dual::squared_norm(point)) +
+                        rounding * std::sqrt(static_cast<double>(grasp.size));
     row.phi = limited_ ? std::max(point.y.dot(w) - point.value, 0.0) : 0.5 * norm * norm;
     row.scenario = s;
     row.at = x;

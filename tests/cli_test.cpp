@@ -103,7 +103,7 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
     std::string arguments, words;
   } usages[] = {
       {"", "A subcommand is required"},
-      {"hodl 4c.yaml", "unknown command 'hodl', must be check, hold, best, curve or paper"},
+      {"hodl 4c.yaml", "unknown command 'hodl', must be check, hold, best, curve, verify or paper"},
       {"best", "FILE is required"},
       {"paper", "--out is required"},
       {"paper --out ''", "--out: '' is not a directory"},
@@ -244,6 +244,27 @@ TEST_F(CommandLine, SaysSoWhereTheAnswerCannotBeWritten) {
   const Outcome left = shell("(sleep 0.2; " + best + " --json; echo $? >status.txt) | true");
   EXPECT_EQ(left.err, "");
   EXPECT_EQ(contents(folder() / "status.txt"), "2\n");
+}
+
+TEST_F(CommandLine, VerifiesWhatTheOthersPrint) {
+  for (const std::string command : {"check", "hold", "best", "curve"}) {
+    const Outcome printed =
+        shell("'" POISE_PROGRAM "' " + command + " " + example("l-part") + " --json > result.json");
+    ASSERT_EQ(printed.status, 0) << printed.err;
+    const Outcome run = poise("verify " + example("l-part") + " result.json");
+    EXPECT_EQ(run.status, 0) << run.out << run.err;
+    EXPECT_NE(run.out.find("Confirmed: all "), run.out.npos);
+    EXPECT_EQ(json("verify " + example("l-part") + " result.json")["confirmed"], true);
+    const Outcome other = poise("verify " + example("ito-fig6") + " result.json");
+    EXPECT_EQ(other.status, 1) << command;
+    EXPECT_NE(other.out.find("Refuted\n  line "), other.out.npos);
+  }
+  EXPECT_EQ(poise("verify " + example("l-part")).status, 2);
+  write("damaged.json", "{\n \"poise_result\": 1,\n \"command\": \"hold\", \"options\": []}");
+  const Outcome damaged = poise("verify " + example("l-part") + " damaged.json");
+  EXPECT_EQ(damaged.status, 2);
+  EXPECT_EQ(damaged.out, "");
+  EXPECT_EQ(damaged.err.find("poise: damaged.json:3:"), 0U) << damaged.err;
 }
 
 class Plot : public CommandLine {

@@ -323,8 +323,9 @@ TEST_F(SpaceBest, IsWhatItClaims) {
     // No posture that is asked for needs less.
     for (const std::string up : {"0,0,1", "1,0,0", "0,1,0", "-1,-1,1", "0.1,0.3,-1"}) {
       const Outcome hold = poise("hold " + file + " --json --up " + up);
-      if (hold.status == 0)
+      if (hold.status == 0) {
         EXPECT_GE(Json::parse(hold.out)["effort"], document["lower_bound"]) << file << " " << up;
+      }
     }
   }
 }

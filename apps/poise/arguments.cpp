@@ -146,7 +146,8 @@ struct Parser {
     app.get_formatter()->label("Excludes", "not with");
     app.footer(
         "FILE is a grasp file (YAML or JSON), or - for standard input.\n"
-        "Exit status: 0 it can be held, 1 it cannot be held, 2 bad input or usage.");
+        "Exit status: 0 it can be held, 1 it cannot be held, 2 bad input or usage;\n"
+        "of verify: 0 confirmed, 1 refuted, 2 bad input or usage.");
 
     add("check", "Say how a grasp file is understood, with warnings");
     CLI::App* const hold = add("hold", "The least contact forces in one posture");
@@ -175,10 +176,15 @@ struct Parser {
     best->add_option("--tilt-max", tilt_max, "Space: at most so far from it, 0 to 90")
         ->type_name("DEG");
     best->add_option("--orientation", orientation,
-                     "Space: how the object is turned now, object to world, +z up (1,0,0,0)")
+                     "Space: how the object is turned now, object to world, +z up")
         ->type_name("W,X,Y,Z");
     curve->add_option("--plot", arguments.plot, "Draw the held object beside the curve")
         ->type_name("SVG");
+    add("verify", "Check a result of these commands again, by other means")
+        ->add_option("RESULT", arguments.result,
+                     "What check, hold, best or curve printed by --json")
+        ->type_name("")
+        ->required();
     add_paper();
   }
 
@@ -213,11 +219,12 @@ struct Parser {
 
   void read_values() {
     const std::string& name = app.get_subcommands().front()->get_name();
-    arguments.command = name == "check"   ? Command::check
-                        : name == "hold"  ? Command::hold
-                        : name == "best"  ? Command::best
-                        : name == "curve" ? Command::curve
-                                          : Command::paper;
+    arguments.command = name == "check"    ? Command::check
+                        : name == "hold"   ? Command::hold
+                        : name == "best"   ? Command::best
+                        : name == "curve"  ? Command::curve
+                        : name == "verify" ? Command::verify
+                                           : Command::paper;
     if (angle) arguments.angle_deg = read_angle(*angle);
     if (up) arguments.up = read_direction("--up", *up, 2, 3, "0.5,0.8 (in space 0.5,0,0.8)");
     if (gap) arguments.gap = read_gap(*gap);
@@ -252,9 +259,11 @@ struct Parser {
                        options_of(command));
     if (before)
       throw UsageError("unknown command " + quoted(word) +
-                       ", must be check, hold, best, curve or paper");
+                       ", must be check, hold, best, curve, verify or paper");
     throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
-                     (command.get_name() == "paper" ? "no FILE" : "one FILE"));
+                     (command.get_name() == "paper"    ? "no FILE"
+                      : command.get_name() == "verify" ? "one FILE and one RESULT"
+                                                       : "one FILE"));
   }
 };
 

@@ -12,7 +12,7 @@
 
 namespace poise {
 
-enum class Command { check, hold, best, curve, paper };
+enum class Command { check, hold, best, curve, verify, paper };
 
 /// What `paper` draws beside the paper's own figures; what is not given is that of Fig. 6.
 struct PaperArguments {
@@ -25,6 +25,7 @@ struct PaperArguments {
 struct Arguments {
   Command command{Command::check};
   std::string file{};
+  std::string result{};  ///< of `verify`: the JSON document to check
   bool json{false};
   std::optional<double> angle_deg{};  ///< in (-180, 180]
   std::vector<double> up{};           ///< as given: 2 or 3 numbers of any length but 0, or none

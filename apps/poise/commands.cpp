@@ -12,6 +12,7 @@
 #include "picture.hpp"
 #include "plot.hpp"
 #include "report.hpp"
+#include "verify.hpp"
 
 namespace poise {
 namespace {
@@ -162,6 +163,10 @@ Answer answer(const Arguments& arguments) {
   if (arguments.command == Command::paper)
     return {paper(arguments.paper, arguments.json, style_of_output())};
   const GraspFile any = read_grasp_file(arguments.file);
+  if (arguments.command == Command::verify) {
+    const Verdict checked = verdict(any, arguments.result, arguments.json, style_of_output());
+    return {checked.text, checked.confirmed};
+  }
   return std::visit(
       [&](const auto& file) {
         if (arguments.command != Command::check) warn(file.warnings);

@@ -60,12 +60,25 @@ void Field::must_be(const std::string& expected) const {
 }
 
 double Field::number() const {
+  const double number = finite();
+  if (!std::isfinite(number * number)) must_be("within 1.3e154, or its square overflows");
+  return number;
+}
+
+double Field::finite() const {
   const auto* number = std::get_if<double>(&value_->data);
   if (!number) must_be("a number");
   if (!std::isfinite(*number)) must_be("a finite number");
-  if (!std::isfinite(*number * *number)) must_be("within 1.3e154, or its square overflows");
   return *number;
 }
+
+bool Field::truth() const {
+  const auto* truth = std::get_if<bool>(&value_->data);
+  if (!truth) must_be("true or false");
+  return *truth;
+}
+
+bool Field::is_null() const { return std::holds_alternative<std::monostate>(value_->data); }
 
 const std::string& Field::text() const {
   const auto* text = std::get_if<std::string>(&value_->data);

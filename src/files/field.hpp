@@ -28,6 +28,10 @@ class Field {
 
   /// The number: finite, and its square too.
   double number() const;
+  /// The number: finite.
+  double finite() const;
+  bool truth() const;
+  bool is_null() const;
   /// A line of text, not empty.
   const std::string& text() const;
   /// One of these words.

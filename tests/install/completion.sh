@@ -27,13 +27,14 @@ expect() {  # offered words, then the command line
   failures=$((failures + 1))
 }
 
-expect best,check,curve,hold,paper poise ''
+expect best,check,curve,hold,paper,verify poise ''
 expect check,curve poise c
 expect --help,--version poise --
 expect disk.json,disk.yaml,parts,'two words.yml' poise best ''
 expect disk.json,disk.yaml poise hold --angle 20 d
 expect disk.json,disk.yaml poise --json hold d
 expect 'two words.yml' poise hold two
+expect disk.json poise verify disk.yaml disk.j
 expect all,pinched poise best disk.yaml --domain ''
 expect pinched poise curve --domain p
 expect parts,picture.svg poise curve disk.yaml --plot ''
@@ -44,7 +45,7 @@ expect '' poise nonsense ''
 expect --angle poise hold disk.yaml --a
 
 # Every flag that the program knows, and no other.
-for command in '' check hold best curve paper; do
+for command in '' check hold best curve verify paper; do
   known=$("$program" ${command:+"$command"} --help |
     sed -nE 's/^  (-h,)?(--[a-z0-9-]+).*/\2/p' | sort | paste -sd ,)
   expect "$known" poise ${command:+"$command"} --
