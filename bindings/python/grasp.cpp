@@ -12,7 +12,7 @@ void add_grasp(py::module_& module) {
       "safety: every friction is divided by it, >= 1\n"
       "Raises InvalidGrasp where a number is not finite or out of its range, a normal has no\n"
       "length, or there are no contacts.")
-      .def(py::init([](py::object object, py::iterable contacts, double safety) {
+      .def(py::init([](const py::object& object, const py::iterable& contacts, double safety) {
              return std::make_shared<Grasp<2>>(read_object<2>(object), read_contacts<2>(contacts),
                                                safety);
            }),

@@ -1,5 +1,7 @@
 #include "module.hpp"
 
+#include <utility>
+
 #include "files/file_error.hpp"
 #include "poise/grasp.hpp"
 
@@ -22,7 +24,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("standard_gravity") = poise::standard_gravity;
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      std::rethrow_exception(thrown);
+      std::rethrow_exception(std::move(thrown));
     } catch (const poise::InvalidGrasp& error) {
       raise("InvalidGrasp", error.path(), error.problem());
     } catch (const poise::FileError& error) {

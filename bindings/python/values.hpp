@@ -97,7 +97,7 @@ Object<Dim> read_object(py::handle source) {
 }
 
 template <int Dim>
-std::vector<Contact<Dim>> read_contacts(py::iterable source) {
+std::vector<Contact<Dim>> read_contacts(const py::iterable& source) {
   std::vector<Contact<Dim>> contacts;
   for (const py::handle contact : source) {
     const std::string path = "contacts[" + std::to_string(contacts.size()) + "].";
