@@ -506,15 +506,6 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
     result.status = bound > search.cap() * search.cap() ? Status::unholdable : Status::gap;
     return result;
   }
-  result.best = posture(scenarios, search.best_up(), search.best_row());
-  if (!result.best->hold.holdable) {  // within rounding of the limit of holding
-    result.best.reset();
-    return result;
-  }
-  const double effort = result.best->effort();
-  result.lower_bound = std::min(result.lower_bound, effort);
-  result.relative_gap = (effort - result.lower_bound) / effort;
-  result.status = result.relative_gap <= settings.gap ? Status::optimal : Status::gap;
 
   std::vector<std::pair<Vector<3>, Row>> found = {{search.best_up(), search.best_row()}};
   for (const Vector<3>& start : spiral(settings.starts)) {
@@ -531,9 +522,15 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
     SpatialPosture minimum = posture(scenarios, up, row);
     if (minimum.hold.holdable) result.minima.push_back(std::move(minimum));
   }
+  if (result.minima.empty()) return result;  // within rounding of the limit of holding
   std::stable_sort(
-      result.minima.begin() + 1, result.minima.end(),
+      result.minima.begin(), result.minima.end(),
       [](const SpatialPosture& a, const SpatialPosture& b) { return a.effort() < b.effort(); });
+  result.best = result.minima.front();
+  const double effort = result.best->effort();
+  result.lower_bound = std::min(result.lower_bound, effort);
+  result.relative_gap = (effort - result.lower_bound) / effort;
+  result.status = result.relative_gap <= settings.gap ? Status::optimal : Status::gap;
   for (std::size_t i = 0; i < result.minima.size() && !result.pinched; ++i) {
     const SpatialPosture& minimum = result.minima[i];
     if (minimum.manner != Manner::pinched) continue;

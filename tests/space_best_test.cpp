@@ -312,7 +312,9 @@ TEST(SpaceBest, WithLimitsIsHonest) {
     settings.starts = 0;
     const BestSpatialPosture best = best_posture(scenarios, settings);
     EXPECT_EQ(fault(scenarios, best, settings, 2000), "") << round;
-    if (round % 2 == 0) EXPECT_NE(best.status, Status::gap) << round << ' ' << best.relative_gap;
+    if (round % 2 == 0) {
+      EXPECT_NE(best.status, Status::gap) << round << ' ' << best.relative_gap;
+    }
   }
 }
 

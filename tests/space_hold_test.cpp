@@ -249,8 +249,9 @@ TEST(SpaceHold, NearTheLimitOfFrictionKeepsNineDigits) {
         const Hold<3> found = hold(held.grasp(), up);
         ASSERT_EQ(fault(held.grasp(), up, found), "") << phi << ' ' << more << ' ' << theta;
         ASSERT_EQ(found.holdable, planar.holdable);
-        if (planar.holdable && planar.effort < 1e6)
+        if (planar.holdable && planar.effort < 1e6) {
           ASSERT_TRUE(close(found.effort, planar.effort, 1e-9L)) << phi << ' ' << more;
+        }
       }
     }
   }
