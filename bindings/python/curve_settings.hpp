@@ -1,0 +1,11 @@
+#pragma once
+
+#include "values.hpp"
+
+namespace poise::python {
+
+inline CurveSettings curve_settings(Domain domain, double force_cap) {
+  return {.domain = domain, .force_cap = checked_cap(force_cap)};
+}
+
+}  // namespace poise::python

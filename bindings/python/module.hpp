@@ -1,0 +1,14 @@
+// The parts of the module poise._core, each in a file of its name.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace poise::python {
+
+void add_grasp(pybind11::module_& module);
+void add_hold(pybind11::module_& module);
+void add_curve(pybind11::module_& module);
+void add_best(pybind11::module_& module);
+void add_files(pybind11::module_& module);
+
+}  // namespace poise::python

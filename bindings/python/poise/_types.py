@@ -1,0 +1,157 @@
+"""Plain values: what goes into a grasp, and the words for what comes out."""
+
+from __future__ import annotations
+
+import enum
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Union
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+
+class ContactState(enum.Enum):
+    """What a contact does. Slipping: it uses all its friction, friction_used >= 1 - 1e-9."""
+
+    unloaded = "unloaded"
+    sticking = "sticking"
+    slipping = "slipping"
+
+
+class ForceLimit(enum.Enum):
+    """Which limit of its normal force a contact is at, within 1e-9 of the weight."""
+
+    none = "none"
+    min = "min"
+    max = "max"
+
+
+class Manner(enum.Enum):
+    """How the object is held."""
+
+    resting = "resting"  #: a finger carries nothing, or there is only one finger
+    cradled = "cradled"  #: the centre of mass lies in the fork of the fingers
+    pinched = "pinched"  #: neither: the fingers hold it by friction
+
+
+class Kind(enum.Enum):
+    """Of an optimum of the curve."""
+
+    boundary = "boundary"  #: an end of the domain or of the holdable set
+    kink = "kink"  #: V has a corner
+    smooth = "smooth"
+
+
+class Domain(enum.Enum):
+    """Postures to choose from: all of them, or those where the object is not cradled."""
+
+    all = "all"
+    pinched = "pinched"
+
+
+def _vector(value: ArrayLike) -> NDArray[np.float64]:
+    return np.array(value, dtype=float)
+
+
+class Object:
+    """A rigid body of which only the weight and the centre of mass matter.
+
+    weight: [N], > 0
+    com: centre of mass (2,) [m], object frame
+    """
+
+    def __init__(self, weight: float = 1.0, com: ArrayLike = (0.0, 0.0)) -> None:
+        self.weight = float(weight)
+        self.com = _vector(com)
+
+    def __repr__(self) -> str:
+        return f"Object(weight={self.weight!r}, com={self.com.tolist()})"
+
+
+class Contact:
+    """A contact with Coulomb friction.
+
+    The force of the finger on the object is given in the contact frame: the normal force along
+    the inward normal n, and the tangential force along n turned by +90 degrees.
+
+    position: (2,) [m], object frame
+    normal: (2,), from the finger into the object; any length but 0
+    friction: coefficient mu >= 0; 0 is a frictionless contact
+    min_normal, max_normal: least and greatest normal force [N], >= 0
+    share: the part of a pad that this contact stands for, in (0, 1]: its force counts as
+        |f|^2 / share
+    finger: label; left empty, the contact is a finger of its own
+    """
+
+    def __init__(
+        self,
+        position: ArrayLike,
+        normal: ArrayLike,
+        friction: float = 0.0,
+        min_normal: float = 0.0,
+        max_normal: float = math.inf,
+        share: float = 1.0,
+        finger: str = "",
+    ) -> None:
+        self.position = _vector(position)
+        self.normal = _vector(normal)
+        self.friction = float(friction)
+        self.min_normal = float(min_normal)
+        self.max_normal = float(max_normal)
+        self.share = float(share)
+        self.finger = finger
+
+    def __repr__(self) -> str:
+        words = [
+            f"position={self.position.tolist()}",
+            f"normal={self.normal.tolist()}",
+            f"friction={self.friction!r}",
+        ]
+        if self.min_normal != 0:
+            words.append(f"min_normal={self.min_normal!r}")
+        if self.max_normal != math.inf:
+            words.append(f"max_normal={self.max_normal!r}")
+        if self.share != 1:
+            words.append(f"share={self.share!r}")
+        if self.finger:
+            words.append(f"finger={self.finger!r}")
+        return f"Contact({', '.join(words)})"
+
+
+@dataclass
+class Disk:
+    """Centred at the object frame's origin."""
+
+    radius: float  #: [m]
+
+
+class Ellipse:
+    """Centred at the object frame's origin, its axes along x and y.
+
+    radii: semi-axes along x and y (2,) [m]
+    """
+
+    def __init__(self, radii: ArrayLike) -> None:
+        self.radii = _vector(radii)
+
+    def __repr__(self) -> str:
+        return f"Ellipse(radii={self.radii.tolist()})"
+
+
+class Polygon:
+    """Edge i leads from vertex i to vertex i + 1, the last one back to vertex 0.
+
+    vertices: (n, 2) [m], in either orientation, not repeating the first
+    """
+
+    def __init__(self, vertices: ArrayLike) -> None:
+        self.vertices = _vector(vertices)
+
+    def __repr__(self) -> str:
+        return f"Polygon(vertices={self.vertices.tolist()})"
+
+
+Shape = Union[Disk, Ellipse, Polygon]

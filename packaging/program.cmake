@@ -1,0 +1,11 @@
+# Installs the program: with its completion, its examples and the documentation.
+include(GNUInstallDirs)
+
+install(TARGETS program COMPONENT program)
+install(FILES packaging/completion.bash RENAME poise
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
+  PATTERN "CMakeLists.txt" EXCLUDE)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.svg")
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)

@@ -1,0 +1,429 @@
+"""The module against the program, against laws, and against misuse."""
+
+import json
+import math
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import poise
+
+ROOT = Path(__file__).parents[2]
+PROGRAM = os.environ["POISE_PROGRAM"]
+
+
+def disk(mu1=1.0, mu2=1 / math.sqrt(3), phi=math.radians(75), weight=10.0):
+    """The paper's disk between two fingers."""
+    x, y = math.sin(phi), math.cos(phi)
+    right = poise.Contact([x, y], [-x, -y], mu1, finger="right")
+    left = poise.Contact([-x, y], [x, -y], mu2, finger="left")
+    return poise.Grasp(poise.Object(weight), [right, left])
+
+
+def random_grasp(rng, contacts):
+    """Contacts on an ellipse, pressing inwards."""
+    a, b = rng.uniform(0.5, 2, 2)
+    phi = rng.uniform(0, 2 * np.pi, contacts)
+    return poise.Grasp(
+        poise.Object(rng.uniform(1, 10), rng.uniform(-0.2, 0.2, 2)),
+        [
+            poise.Contact(
+                [a * np.cos(t), b * np.sin(t)],
+                [-np.cos(t) / a, -np.sin(t) / b],
+                friction=rng.uniform(0.1, 1.5),
+                share=rng.uniform(0.5, 1),
+            )
+            for t in phi
+        ],
+    )
+
+
+def answer(*arguments):
+    """The JSON document that the program prints."""
+    run = subprocess.run([PROGRAM, *arguments, "--json"], stdout=subprocess.PIPE, check=False)
+    return json.loads(run.stdout)
+
+
+class AgainstTheProgram(unittest.TestCase):
+    def check_optimum(self, grasp, posture, expected):
+        hold = posture.hold
+        self.assertEqual(hold.effort, expected["effort"])
+        self.assertEqual(hold.lower_bound, expected["lower_bound"])
+        self.assertEqual(hold.dual.tolist(), expected["dual"])
+        self.assertAlmostEqual(
+            math.degrees(posture.optimum.angle), expected["angle_deg"], delta=1e-12 * 180
+        )
+        self.assertEqual(posture.manner.value, expected["manner"])
+        self.assertEqual(posture.optimum.kind.value, expected["kind"])
+        self.assertEqual(poise.grip_force(grasp, hold), expected["grip_force"])
+        for force, contact in zip(hold.forces, expected["contacts"]):
+            self.assertEqual(force.normal, contact["normal_force"])
+            self.assertEqual(force.tangential, contact["tangential_force"])
+            self.assertEqual(force.friction_used, contact["friction_used"])
+            self.assertEqual(force.state.value, contact["state"])
+            self.assertEqual(force.limit.value, contact["limit"])
+        for finger, shown in zip(poise.finger_forces(grasp, hold), expected["fingers"]):
+            self.assertEqual(finger.normal, shown["normal_force"])
+            self.assertEqual(finger.force.tolist(), shown["force"])
+
+    def check_best(self, file):
+        read = poise.load(file)
+        grasp = read.grasp()
+        best = poise.best_posture(grasp, domain=read.domain)
+        expected = answer("best", file)
+        self.assertEqual(len(best.minima), len(expected["minima"]))
+        for posture, minimum in zip(best.minima, expected["minima"]):
+            self.check_optimum(grasp, posture, minimum)
+        if best.holdable:
+            self.check_optimum(grasp, best.best, expected["best"])
+            self.check_optimum(grasp, best.worst, expected["worst"])
+            self.assertEqual(best.lower_bound, expected["lower_bound"])
+        for arc, shown in zip(best.curve.arcs, expected["arcs"]):
+            for name, value in shown["V"].items():
+                self.assertEqual(getattr(arc.V, name), value)
+        self.assertEqual(len(best.curve.arcs), len(expected["arcs"]))
+
+    def test_examples(self):
+        for file in sorted((ROOT / "examples").glob("*.yaml")):
+            if poise_dimension(file) == 2:
+                with self.subTest(file.name):
+                    self.check_best(file)
+
+    def test_random_grasps(self):
+        rng = np.random.default_rng(7)
+        with tempfile.TemporaryDirectory() as directory:
+            file = Path(directory, "grasp.json")
+            for contacts in [1, 2, 2, 2, 3, 3, 4, 5, 8]:
+                poise.save(random_grasp(rng, contacts), file)
+                self.check_best(file)
+
+    def test_check(self):
+        file = ROOT / "examples" / "l-part.yaml"
+        grasp = poise.load(file).grasp()
+        expected = answer("check", file)
+        self.assertEqual(grasp.object.weight, expected["weight"])
+        self.assertEqual(grasp.object.com.tolist(), expected["com"])
+        self.assertEqual(poise.force_closure(grasp), expected["force_closure"])
+        wedge = poise.cradled_wedge(grasp)
+        np.testing.assert_allclose(np.degrees([wedge.from_, wedge.to]), expected["cradled_deg"])
+        for contact, shown in zip(grasp.contacts, expected["contacts"]):
+            self.assertEqual(contact.finger, shown["finger"])
+            self.assertEqual(contact.position.tolist(), shown["position"])
+            self.assertEqual(contact.normal.tolist(), shown["normal"])
+            self.assertEqual(contact.friction, shown["friction"])
+
+
+def poise_dimension(file):
+    return 3 if "dimension: 3" in file.read_text(encoding="utf-8") else 2
+
+
+class Paper(unittest.TestCase):
+    """The paper's disk: phi, mu, and where and what its minimum b is."""
+
+    def test_efforts(self):
+        third, low = math.pi / 3, 1 / math.sqrt(3)
+        rows = [
+            (third, math.sqrt(3), math.sqrt(3), 0, 200),
+            (third, 1, 1, 0, 746.4102),
+            (5 * math.pi / 12, 1, 1, 0, 200),
+            (math.pi / 4, 1.01, 1.01, 0, 2020100),
+            (5 * math.pi / 12, 1, low, 30, 300),
+        ]
+        for phi, mu1, mu2, degrees, effort in rows:
+            grasp = disk(mu1, mu2, phi)
+            best = poise.best_posture(grasp, domain=poise.Domain.pinched)
+            efforts = {
+                round(math.degrees(posture.optimum.angle), 6): posture.hold.effort
+                for posture in best.minima
+            }
+            self.assertAlmostEqual(efforts[degrees] / effort, 1, delta=1e-6)
+            self.assertAlmostEqual(best.best.hold.effort / 100, 1, delta=1e-9)
+
+
+class Holding(unittest.TestCase):
+    def test_forces_balance_the_load_in_their_cones(self):
+        rng = np.random.default_rng(1)
+        held = 0
+        for contacts in [2, 3, 4, 20]:
+            for _ in range(20):
+                grasp = random_grasp(rng, contacts)
+                up = rng.normal(size=2)
+                hold = poise.hold(grasp, up)
+                if not hold.holdable:
+                    self.assertEqual(hold.forces, [])
+                    self.assertTrue(poise.reason(grasp, hold))
+                    continue
+                held += 1
+                f = np.array([[force.normal, force.tangential] for force in hold.forces])
+                share = np.array([contact.share for contact in grasp.contacts])
+                mu = np.array([contact.friction for contact in grasp.contacts])
+                load = grasp.load(up)
+                self.assertAlmostEqual(np.linalg.norm(load[:2]), grasp.object.weight)
+                np.testing.assert_allclose(
+                    poise.grasp_matrix(grasp) @ f.ravel(), load, atol=1e-9 * grasp.object.weight
+                )
+                self.assertAlmostEqual(np.sum(f**2 / share[:, None]) / hold.effort, 1)
+                self.assertAlmostEqual(hold.lower_bound / hold.effort, 1)
+                self.assertTrue(np.all(np.abs(f[:, 1]) <= mu * f[:, 0] * (1 + 1e-9) + 1e-12))
+                again = poise.hold(grasp, load, hold.dual)
+                self.assertAlmostEqual(again.effort / hold.effort, 1, delta=1e-9)
+        self.assertGreater(held, 30)
+
+    def test_many_is_each_in_order(self):
+        grasp = disk()
+        angles = np.linspace(-math.pi, math.pi, 1001)
+        ups = np.column_stack([np.sin(angles), np.cos(angles)])
+        holds = poise.hold_many(grasp, ups)
+        each = [poise.hold(grasp, up) for up in ups]
+        self.assertEqual(len(holds), len(each))
+        self.assertEqual([hold.effort for hold in holds], [hold.effort for hold in each])
+        self.assertEqual(holds.effort.tolist(), [hold.effort for hold in each])
+        self.assertEqual(holds.lower_bound.tolist(), [hold.lower_bound for hold in each])
+        self.assertTrue(holds.holdable.all())
+        for k in (0, 500, -1):
+            self.assertEqual(
+                holds.normal[k].tolist(), [force.normal for force in holds[k].forces]
+            )
+            self.assertEqual(
+                holds.tangential[k].tolist(), [force.tangential for force in holds[k].forces]
+            )
+        with self.assertRaises(IndexError):
+            holds[1001]
+        self.assertEqual(len(poise.hold_many(grasp, np.zeros((0, 2)))), 0)
+
+    def test_many_unholdable(self):
+        slippery = disk(0.1, 0.1)
+        holds = poise.hold_many(slippery, [[0, 1], [0, -1]])
+        self.assertEqual(holds.holdable.tolist(), [False, True])
+        self.assertEqual(holds.effort[0], math.inf)
+        self.assertEqual(holds.normal[0].tolist(), [0, 0])
+
+    def test_force_cap(self):
+        grasp = disk()
+        norm = math.sqrt(poise.hold(grasp, [0, 1]).effort) / grasp.object.weight
+        self.assertTrue(poise.hold(grasp, [0, 1], force_cap=norm * 1.01).holdable)
+        self.assertFalse(poise.hold(grasp, [0, 1], force_cap=norm / 1.01).holdable)
+
+    def test_other_threads_run_meanwhile(self):
+        grasp = random_grasp(np.random.default_rng(2), 30)
+        ups = np.random.default_rng(3).normal(size=(100_000, 2))
+        done = []
+        interval = sys.getswitchinterval()
+        sys.setswitchinterval(1e6)  # a thread that does not let go runs to its end
+        try:
+            worker = threading.Thread(
+                target=lambda: (poise.hold_many(grasp, ups), done.append(True))
+            )
+            worker.start()
+            finished_first = bool(done)
+            worker.join()
+        finally:
+            sys.setswitchinterval(interval)
+        self.assertFalse(finished_first)
+
+    def test_forces_of_another_grasp(self):
+        hold = poise.hold(random_grasp(np.random.default_rng(1), 20), [0, 1])
+        with self.assertRaises(poise.InvalidGrasp):
+            poise.grip_force(disk(), hold)
+
+
+class Curves(unittest.TestCase):
+    def test_formulas_are_the_efforts(self):
+        grasp = disk()
+        for arc in poise.posture_curve(grasp).arcs:
+            theta = np.linspace(arc.from_, arc.to, 7)
+            efforts = [poise.hold(grasp, poise.up_at(each)).effort for each in theta]
+            np.testing.assert_allclose(arc.V(theta), efforts, rtol=1e-9)
+            self.assertAlmostEqual(arc.V(theta[3]), efforts[3], delta=1e-9 * efforts[3])
+            slope = (arc.V(theta + 1e-6) - arc.V(theta - 1e-6)) / 2e-6
+            np.testing.assert_allclose(arc.V.slope(theta), slope, atol=1e-4)
+
+    def test_domains(self):
+        grasp = disk()
+        wedge = poise.cradled_wedge(grasp)
+        domain = poise.domain_interval(grasp, poise.Domain.pinched)
+        self.assertAlmostEqual(wedge.to - wedge.from_ + domain.to - domain.from_, 2 * math.pi)
+        curve = poise.posture_curve(grasp, domain=poise.Domain.pinched)
+        self.assertEqual(curve.domain.from_, domain.from_)
+        self.assertEqual(curve.optima[0].kind, poise.Kind.boundary)
+        self.assertEqual(len(curve.states), 2 * len(curve.arcs))
+
+    def test_best_many_is_each_in_order(self):
+        rng = np.random.default_rng(5)
+        grasps = [random_grasp(rng, contacts) for contacts in [1, 2, 3, 4, 5] * 8]
+        for many, grasp in zip(poise.best_many(grasps), grasps):
+            one = poise.best_posture(grasp)
+            self.assertEqual(many.lower_bound, one.lower_bound)
+            self.assertEqual(
+                [posture.hold.effort for posture in many.minima],
+                [posture.hold.effort for posture in one.minima],
+            )
+
+    def test_parts_outlive_the_whole(self):
+        best = poise.best_posture(disk()).best  # the answer itself is gone
+        self.assertAlmostEqual(best.hold.effort, 80.3847577, places=6)
+        again = poise.posture_at(disk(), best.optimum)
+        self.assertEqual(again.hold.effort, best.hold.effort)
+
+    def test_edges_meet_above_the_centre_of_mass(self):
+        best = poise.best_posture(disk(), domain=poise.Domain.pinched).best_pinched
+        self.assertTrue(best.two_slipping)
+        up = poise.up_at(best.optimum.angle)
+        self.assertAlmostEqual(np.cross(best.edges_meet, up), 0)
+
+    def test_plot(self):
+        import matplotlib
+
+        matplotlib.use("Agg")
+        for grasp in [disk(), disk(0.3, 0.3)]:
+            curve = poise.posture_curve(grasp)
+            axes = poise.plot(curve)
+            self.assertEqual(axes.get_xlim(), (-180, 180))
+            drawn = [line for line in axes.lines if len(line.get_xdata()) > 1]
+            self.assertEqual(len(drawn), 3 * len(curve.arcs))
+            x, y = drawn[0].get_data()
+            grip = poise.hold(grasp, poise.up_at(math.radians(x[3]))).effort
+            self.assertAlmostEqual(y[3] ** 2 / grip, 1, delta=1e-9)
+            with tempfile.TemporaryDirectory() as directory:
+                file = Path(directory, "curve.png")
+                axes.figure.savefig(file)
+                self.assertGreater(file.stat().st_size, 5000)
+
+
+class Files(unittest.TestCase):
+    def test_round_trip(self):
+        with tempfile.TemporaryDirectory() as directory:
+            copy = Path(directory, "copy.yaml")
+            for name in ["l-part", "ito-fig6", "hexagon-three-fingers"]:
+                file = poise.load(ROOT / "examples" / f"{name}.yaml")
+                poise.save(file, copy)
+                again = poise.load(copy)
+                self.assertEqual(poise.to_dict(file), poise.to_dict(again))
+                self.assertEqual(again.name, file.name)
+                self.assertEqual(type(again.shape), type(file.shape))
+                if file.angle is not None:
+                    self.assertAlmostEqual(again.angle, file.angle)
+
+    def test_all_keys(self):
+        file = poise.GraspFile(
+            poise.Object(3.5, [0.1, 0.2]),
+            [poise.Contact([1, 0], [-1, 0], 0.5, 0.25, 8, 0.75, "Daumen 👍")],
+            name="alles",
+            safety=1.5,
+            angle=0.5,
+            domain=poise.Domain.pinched,
+            shape=poise.Ellipse([1, 2]),
+        )
+        again = poise.from_dict(poise.to_dict(file))
+        self.assertEqual(repr(again.object), repr(file.object))
+        self.assertEqual(repr(again.contacts), repr(file.contacts))
+        self.assertEqual(repr(again.shape), repr(file.shape))
+        self.assertEqual((again.name, again.safety, again.domain), ("alles", 1.5, file.domain))
+        self.assertAlmostEqual(again.angle, 0.5)
+
+    def test_numpy_values(self):
+        values = poise.to_dict(disk())
+        values["object"]["com"] = np.array([0.0, 0.1])
+        values["object"]["weight"] = np.float64(3)
+        self.assertEqual(poise.from_dict(values).object.com.tolist(), [0, 0.1])
+
+    def test_warnings(self):
+        values = poise.to_dict(disk())
+        values["contacts"][0]["normal"] = [1, 0]
+        values["object"]["shape"] = {"disk": {"radius": 1}}
+        self.assertIn("contacts[0].normal", poise.from_dict(values).warnings[0])
+
+    def test_errors_tell_the_place(self):
+        with tempfile.TemporaryDirectory() as directory:
+            file = Path(directory, "bad.yaml")
+            file.write_text(
+                "poise: 1\ndimension: 2\nobject: {weight: -1, com: [0, 0]}\n"
+                "contacts: [{position: [0, 1], normal: [0, -1], friction: 1}]\n"
+            )
+            with self.assertRaises(poise.FileError) as caught:
+                poise.load(file)
+            error = caught.exception
+            self.assertEqual((error.line, error.column), (3, 18))
+            self.assertEqual(error.path, "object.weight")
+            self.assertEqual(str(error), f"{file}:3:18: object.weight: {error.problem}")
+            with self.assertRaises(poise.FileError):
+                poise.load(Path(directory, "none.yaml"))
+
+    def test_space_is_refused(self):
+        with self.assertRaises(poise.FileError) as caught:
+            poise.load(ROOT / "examples" / "bottle.yaml")
+        self.assertEqual(caught.exception.path, "dimension")
+
+    def test_errors_of_dictionaries_tell_the_path(self):
+        for wrong in [-1, math.nan, math.inf, "much", None]:
+            values = poise.to_dict(disk())
+            values["contacts"][1]["friction"] = wrong
+            with self.assertRaises(poise.FileError) as caught:
+                poise.from_dict(values)
+            self.assertEqual(caught.exception.path, "contacts[1].friction")
+            self.assertTrue(str(caught.exception).startswith("contacts[1].friction: "))
+
+
+class Misuse(unittest.TestCase):
+    def check(self, path, call, *arguments, **options):
+        with self.assertRaises(poise.InvalidGrasp) as caught:
+            call(*arguments, **options)
+        self.assertIsInstance(caught.exception, poise.PoiseError)
+        self.assertIsInstance(caught.exception, ValueError)
+        self.assertEqual(caught.exception.path, path)
+        again = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual(str(again), f"{path}: {caught.exception.problem}")
+
+    def test_grasps(self):
+        down = poise.Contact([0, 1], [0, -1], 0.5)
+        self.check("contacts", poise.Grasp, poise.Object(), [])
+        self.check("object.weight", poise.Grasp, poise.Object(0), [down])
+        self.check("object.com[1]", poise.Grasp, poise.Object(1, [0, math.nan]), [down])
+        self.check("object.com", poise.Grasp, poise.Object(1, [1, 2, 3, 4]), [down])
+        slip = poise.Contact([0, 1], [0, -1], -0.5)
+        self.check("contacts[1].friction", poise.Grasp, poise.Object(), [down, slip])
+        flat = poise.Contact([0, 1], [0, 0], 0.5)
+        self.check("contacts[0].normal", poise.Grasp, poise.Object(), [flat])
+        line = poise.Contact([0], [0, 1], 0.5)
+        self.check("contacts[0].position", poise.Grasp, poise.Object(), [line])
+        self.check("safety", poise.Grasp, poise.Object(), [down], safety=0.5)
+
+    def test_postures(self):
+        grasp = disk()
+        for up in [[0, 0], [math.nan, 1], [math.inf, 0]]:
+            self.check("up", poise.hold, grasp, up)
+        self.check("ups[1]", poise.hold_many, grasp, [[0, 1], [0, 0]])
+        self.check("load", poise.hold, grasp, [0, math.nan, 0], [0, 0, 0])
+        for cap in [0, -1, math.nan, 1e10]:
+            self.check("force_cap", poise.hold, grasp, [0, 1], force_cap=cap)
+            self.check("force_cap", poise.posture_curve, grasp, force_cap=cap)
+            self.check("force_cap", poise.best_many, [grasp], force_cap=cap)
+        with self.assertRaises(TypeError):
+            poise.hold(grasp, [0, 1, 2])
+        with self.assertRaises(TypeError):
+            poise.best_posture(grasp, domain="pinched")
+        with self.assertRaises(IndexError):
+            grasp.finger_of(2)
+
+    def test_reprs(self):
+        grasp = disk()
+        best = poise.best_posture(grasp)
+        self.assertEqual(
+            repr(grasp), "Grasp(weight=10 N, 2 contacts, fingers=['right', 'left'])"
+        )
+        self.assertEqual(
+            repr(best.best), "PlanarPosture(165.00 deg, effort=80.3848 N^2, cradled, kink)"
+        )
+        for value in [best, best.curve, best.best.hold, best.curve.arcs[0], best.curve.domain]:
+            self.assertRegex(repr(value), r"^\w+\(.*\)$")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,93 @@
+"""The hand-written _core.pyi against the module: by mypy, and the names that mypy does not see."""
+
+import ast
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from poise import _core
+
+ROOT = Path(__file__).parents[2]
+STUB = Path(_core.__file__).with_name("_core.pyi")
+
+
+def signatures(docstring):
+    """The arguments' names of each signature that pybind11 writes at the top of a docstring."""
+    for line in docstring.splitlines():
+        if found := re.match(r"(?:\d+\. )?\w+\((.*)\) -> ", line):
+            if not found[1].startswith("*args"):
+                plain = re.sub(r"<[^>]*>", "", found[1])
+                yield re.findall(r"(\w+): ", plain)
+
+
+def stubbed(function):
+    arguments = function.args
+    return [a.arg for a in arguments.posonlyargs + arguments.args + arguments.kwonlyargs]
+
+
+class Stub(unittest.TestCase):
+    def test_mypy(self):
+        # What pybind11's classes have and no stub should say: their metaclass and general __init__.
+        allowed = r"poise\._core\.[A-Z]\w*(\.__init__)?" + "\n"
+        with tempfile.NamedTemporaryFile("w", suffix=".txt") as allowlist:
+            allowlist.write(allowed)
+            allowlist.flush()
+            command = [sys.executable, "-m", "mypy.stubtest", "poise._core"]
+            command += ["--mypy-config-file", ROOT / "pyproject.toml"]
+            command += ["--allowlist", allowlist.name, "--ignore-unused-allowlist"]
+            run = subprocess.run(
+                command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=STUB.parents[1]
+            )
+        self.assertEqual(run.returncode, 0, run.stdout.decode())
+
+    def test_package_is_typed(self):
+        command = [sys.executable, "-m", "mypy", "--strict", "--no-error-summary", "-p", "poise"]
+        command += ["--config-file", ROOT / "pyproject.toml"]
+        with tempfile.TemporaryDirectory() as cache:
+            run = subprocess.run(
+                command + ["--cache-dir", cache],
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                cwd=STUB.parents[1],
+            )
+        self.assertEqual(run.returncode, 0, run.stdout.decode())
+
+    def test_names(self):
+        checked = 0
+        tree = ast.parse(STUB.read_text(encoding="utf-8"))
+        functions = {}
+        for node in tree.body:
+            if isinstance(node, ast.FunctionDef):
+                functions.setdefault(node.name, []).append(stubbed(node))
+            if isinstance(node, ast.ClassDef):
+                members = {each.name for each in node.body}
+                present = vars(getattr(_core, node.name))
+                public = {name for name in present if not name.startswith("_")}
+                self.assertLessEqual(public, members, node.name)
+                self.assertLessEqual(members, set(present), node.name)
+                for each in node.body:
+                    if each.decorator_list:
+                        continue
+                    (names,) = signatures(present[each.name].__doc__)
+                    self.assertEqual(names, stubbed(each)[-len(names) :], each.name)
+                    checked += 1
+        for name, expected in functions.items():
+            self.assertEqual(list(signatures(getattr(_core, name).__doc__)), expected, name)
+            checked += 1
+        classes = {name for name, value in vars(_core).items() if isinstance(value, type)}
+        self.assertEqual(classes, {n.name for n in tree.body if isinstance(n, ast.ClassDef)})
+        self.assertGreater(checked, 25)
+
+    def test_everything_is_documented(self):
+        for name, value in vars(_core).items():
+            if name.startswith("_") or not callable(value):
+                continue
+            text = value.__doc__ if isinstance(value, type) else value.__doc__.split("\n", 1)[1]
+            self.assertTrue(text.strip(), name)
+
+
+if __name__ == "__main__":
+    unittest.main()
