@@ -1,0 +1,15 @@
+// Prints a grasp file as JSON, for places where there is no YAML: the page and its tests.
+#include <cstdio>
+
+#include "files/grasp_writer.hpp"
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  try {
+    std::fputs(poise::grasp_document(poise::read_grasp_file(argv[1])).c_str(), stdout);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+  return 0;
+}
