@@ -4,7 +4,8 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 
 const [module, fixtures] = process.argv.slice(2);
-const core = await (await import(pathToFileURL(module))).default();
+const { default: create } = await import(pathToFileURL(module));
+const core = await create({ wasmBinary: readFileSync(module.replace('.mjs', '.wasm')) });
 const answer = (request) =>
   JSON.parse(core.ccall('poise_answer', 'string', ['string'], [JSON.stringify(request)]));
 const read = (file) => JSON.parse(readFileSync(`${fixtures}/${file}`, 'utf8'));
