@@ -162,7 +162,7 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
     std::string arguments, words;
   } usages[] = {
       {"", "A subcommand is required"},
-      {"hodl 4c.yaml", "unknown command 'hodl', must be check, hold, best, curve or paper"},
+      {"hodl 4c.yaml", "unknown command 'hodl', must be check, hold, best, curve, view or paper"},
       {"best", "FILE is required"},
       {"paper", "--out is required"},
       {"paper --out ''", "--out: '' is not a directory"},

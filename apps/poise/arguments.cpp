@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "files/text.hpp"
@@ -63,6 +64,11 @@ Domain read_domain(const std::string& text) {
   throw UsageError("--domain: " + quoted(text) + " must be all or pinched");
 }
 
+/// Where `view` writes to unless told: in the present folder.
+std::string page_of(const std::string& file) {
+  return (file == "-" ? "grasp" : std::filesystem::path(file).stem().string()) + ".html";
+}
+
 std::string full_name(const CLI::App& command) {
   return (command.get_parent() ? "poise " : "") + command.get_name();
 }
@@ -81,6 +87,7 @@ struct Parser {
       "How to turn a held object so that its fingers press least, and how hard they press."};
   Arguments arguments{};
   std::optional<std::string> angle{}, up{}, domain{}, force_cap{}, phi{}, mu1{}, mu2{}, weight{};
+  std::optional<std::string> page{};
 
   Parser() {
     app.name("poise");
@@ -115,7 +122,17 @@ struct Parser {
           ->type_name("N");
     curve->add_option("--plot", arguments.plot, "Draw the held object beside the curve")
         ->type_name("SVG");
+    add_view();
     add_paper();
+  }
+
+  void add_view() {
+    CLI::App* const view =
+        app.add_subcommand("view", "Write a page on which to turn and change the grasp")
+            ->group("Commands");
+    view->add_option("FILE", arguments.file, "The grasp file")->type_name("")->required();
+    view->add_option("-o,--out", page, "The page to write (the name of FILE, with .html)")
+        ->type_name("HTML");
   }
 
   void add_paper() {
@@ -153,11 +170,14 @@ struct Parser {
                         : name == "hold"  ? Command::hold
                         : name == "best"  ? Command::best
                         : name == "curve" ? Command::curve
+                        : name == "view"  ? Command::view
                                           : Command::paper;
     if (angle) arguments.angle_deg = read_angle(*angle);
     if (up) arguments.up = read_up(*up);
     if (domain) arguments.domain = read_domain(*domain);
     if (arguments.plot && arguments.plot->empty()) throw UsageError("--plot: '' is not a file");
+    if (page && page->empty()) throw UsageError("--out: '' is not a file");
+    arguments.page = page ? *page : page_of(arguments.file);
     PaperArguments& paper = arguments.paper;
     if (arguments.command == Command::paper && paper.out.empty())
       throw UsageError("--out: '' is not a directory");
@@ -183,7 +203,7 @@ struct Parser {
                        options_of(command));
     if (before)
       throw UsageError("unknown command " + quoted(word) +
-                       ", must be check, hold, best, curve or paper");
+                       ", must be check, hold, best, curve, view or paper");
     throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
                      (command.get_name() == "paper" ? "no FILE" : "one FILE"));
   }

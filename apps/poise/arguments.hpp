@@ -10,7 +10,7 @@
 
 namespace poise {
 
-enum class Command { check, hold, best, curve, paper };
+enum class Command { check, hold, best, curve, view, paper };
 
 /// What `paper` draws beside the paper's own figures; what is not given is that of Fig. 6.
 struct PaperArguments {
@@ -29,6 +29,7 @@ struct Arguments {
   std::optional<Domain> domain{};
   double force_cap{1e6};              ///< [weights]
   std::optional<std::string> plot{};  ///< the SVG file to draw
+  std::string page{};                 ///< the file to write the page to
   PaperArguments paper{};
 };
 

@@ -11,6 +11,7 @@
 #include "picture.hpp"
 #include "plot.hpp"
 #include "report.hpp"
+#include "view.hpp"
 
 namespace poise {
 namespace {
@@ -70,6 +71,7 @@ Answer answer(const Arguments& arguments) {
                            : check_report(file, grasp, style_of_output())};
   for (const std::string& warning : file.warnings)
     std::fputs(("poise: " + warning + "\n").c_str(), stderr);
+  if (arguments.command == Command::view) return {view(file, arguments.page)};
   const CurveSettings settings{.domain = arguments.domain.value_or(file.domain),
                                .force_cap = arguments.force_cap};
   switch (arguments.command) {

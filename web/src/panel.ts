@@ -114,10 +114,11 @@ export class Controls {
   private contactTable(): HTMLElement {
     const { model } = this;
     const rows = model.grasp.contacts.map((given, i) => {
-      const of = (): Contact => model.grasp.contacts[i]!;
+      // A field that loses the focus because it vanishes is asked once more.
+      const of = (): Contact | undefined => model.grasp.contacts[i];
       const finger = model.answers.check.contacts[i]!.finger;
       const named = `${finger}${given.finger ? '' : ` (contact ${i})`}`;
-      const change = (write: (contact: Contact) => void) => model.edit(() => write(of()));
+      const change = (write: (contact: Contact) => void) => model.edit(({ contacts }) => write(contacts[i]!));
       const friction = (value: number | undefined) => {
         if (value !== undefined) change((contact) => void (contact.friction = value));
       };
@@ -131,10 +132,10 @@ export class Controls {
       return html('tr', {},
         html('th', { scope: 'row' }, finger),
         html('td', {},
-          this.field(`Friction of ${named}, slider`, 'range', { min: '0', max: '2', step: '0.01' }, () => of().friction, friction),
-          this.field(`Friction of ${named}`, 'number', { min: '0', step: '0.01' }, () => of().friction, friction)),
-        html('td', {}, this.field(`Least normal force of ${named} [N]`, 'number', { min: '0', step: 'any', placeholder: '0' }, () => of().min_normal, limit('min_normal'))),
-        html('td', {}, this.field(`Greatest normal force of ${named} [N]`, 'number', { min: '0', step: 'any', placeholder: '∞' }, () => of().max_normal, limit('max_normal'))),
+          this.field(`Friction of ${named}, slider`, 'range', { min: '0', max: '2', step: '0.01' }, () => of()?.friction, friction),
+          this.field(`Friction of ${named}`, 'number', { min: '0', step: '0.01' }, () => of()?.friction, friction)),
+        html('td', {}, this.field(`Least normal force of ${named} [N]`, 'number', { min: '0', step: 'any', placeholder: '0' }, () => of()?.min_normal, limit('min_normal'))),
+        html('td', {}, this.field(`Greatest normal force of ${named} [N]`, 'number', { min: '0', step: 'any', placeholder: '∞' }, () => of()?.max_normal, limit('max_normal'))),
         force,
         html('td', { class: 'number' }),
       );

@@ -81,7 +81,8 @@ export class Plot {
     if (!best.best) return { low: 1, high: 10 };
     const low = best.best.force_norm;
     const minima = curve.optima.filter((each) => each.type === 'min').map((each) => each.force_norm);
-    const highest = Math.sqrt(Math.max(...samples(curve, 1).flat().map(([, effort]) => effort)));
+    const efforts = samples(curve, 1).flat().map(([, effort]) => effort);
+    const highest = Math.max(low, Math.sqrt(Math.max(0, ...efforts)));
     return { low, high: Math.min(highest, Math.max(1000 * low, 3 * Math.max(...minima))) };
   }
 

@@ -1,5 +1,5 @@
 // The object as it hangs: gravity points down on the screen.
-import type { Optimum } from './core';
+import type { NotHeld, Optimum } from './core';
 import type { Point } from './grasp';
 import { along, nearest, outline } from './shape';
 import type { Model } from './state';
@@ -107,7 +107,25 @@ export class Scene {
       'aria-valuetext': degrees(angle),
     });
     const com = this.now.point(check.com);
-    this.back.replaceChildren(line([com[0], 0], [com[0], this.now.height], 'vertical'));
+    const vertical = line([com[0], 0], [com[0], this.now.height], 'vertical');
+    this.back.replaceChildren(vertical, ...(hold.holdable ? [] : this.fall(hold, points)));
+  }
+
+  /** The object a little further on the motion that gravity drives and no contact opposes. */
+  private fall({ dual }: NotHeld, points: Point[]): Node[] {
+    const { radius } = this.model.frame;
+    const [vx, vy, turning] = dual.map((part) => -part) as [number, number, number];
+    const far = Math.max(...points.map((p) => length([vx - turning * p[1], vy + turning * p[0]])));
+    if (!(far > 0)) return [];
+    return [1, 2].map((step) => {
+      const time = (0.09 * step * radius) / far;
+      const angle = turning * time;
+      // A turn about the centre of the motion, which may be far away.
+      const [s, c] = Math.abs(angle) < 1e-9 ? [1, 0] : [Math.sin(angle) / angle, (1 - Math.cos(angle)) / angle];
+      const shift: Point = [time * (s * vx - c * vy), time * (c * vx + s * vy)];
+      const moved = points.map((p) => this.now.point(add(shift, turned(p, (angle * 180) / Math.PI))));
+      return node('path', { d: path(moved, true), class: `fall fall-${step}` });
+    });
   }
 
   /** Where the shape is not known, something to take hold of. */
