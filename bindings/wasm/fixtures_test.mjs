@@ -27,7 +27,11 @@ function compare(found, wanted, path) {
   } else {
     const keys = (value) => Object.keys(value ?? {}).join();
     expect(keys(found) === keys(wanted), `${path}: ${keys(found)} instead of ${keys(wanted)}`);
-    for (const key of Object.keys(wanted)) compare(found?.[key], wanted[key], `${path}.${key}`);
+    for (const key of Object.keys(wanted)) {
+      // At a kink many y are optimal; which one is found is rounding. What it proves is compared.
+      if (key === 'dual' && wanted.kind === 'kink') continue;
+      compare(found?.[key], wanted[key], `${path}.${key}`);
+    }
   }
 }
 

@@ -217,7 +217,7 @@ export class Plot {
   }
 
   private drawOptima(at: (value: number) => number): void {
-    const taken: Point[] = [];
+    const taken: { x: number; y: number; half: number }[] = [];
     const { best } = this.model.answers;
     const marks = this.model.answers.curve.optima.map((optimum) => {
       const centre: Point = [this.x(optimum.angle_deg), at(this.value(optimum.effort))];
@@ -229,22 +229,23 @@ export class Plot {
       );
       mark.addEventListener('click', () => this.model.turnTo(optimum.angle_deg));
       if (optimum.type === 'max' || this.showsBounds()) return mark;
-      const floor = margin.top + this.height();
-      const below = centre[1] + 34 < floor;
-      const label: Point = [
-        Math.min(Math.max(centre[0], margin.left + 50), this.x(180) - 50),
-        centre[1] + (below ? 20 : -24),
-      ];
-      const free = taken.every(([x, y]) => Math.abs(x - label[0]) > 84 || Math.abs(y - label[1]) > 28);
-      if (free) {
-        taken.push(label);
-        const name =
-          best.best?.angle_deg === optimum.angle_deg ? 'best' : best.best_pinched?.angle_deg === optimum.angle_deg ? 'best pinched' : optimum.manner;
-        mark.append(
-          text(`${degrees(optimum.angle_deg)}`, label, 'optimum-label'),
-          text(`${name}, ${optimum.kind}`, [label[0], label[1] + 13], 'optimum-label kind'),
-        );
-      }
+      const name =
+        best.best?.angle_deg === optimum.angle_deg
+          ? 'best'
+          : best.best_pinched?.angle_deg === optimum.angle_deg
+            ? 'best pinched'
+            : optimum.manner;
+      const words = `${name}, ${optimum.kind}`;
+      const half = 3 * words.length + 2;  // about: 12 px high
+      const below = centre[1] + 34 < margin.top + this.height();
+      const x = Math.min(Math.max(centre[0], margin.left + half), this.x(180) - half);
+      const y = centre[1] + (below ? 20 : -24);
+      if (taken.some((other) => Math.abs(other.x - x) < other.half + half && Math.abs(other.y - y) < 28)) return mark;
+      taken.push({ x, y, half });
+      mark.append(
+        text(degrees(optimum.angle_deg), [x, y], 'optimum-label'),
+        text(words, [x, y + 13], 'optimum-label kind'),
+      );
       return mark;
     });
     this.marks.replaceChildren(...marks);

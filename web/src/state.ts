@@ -94,6 +94,7 @@ export class Model {
       } catch (error) {
         if (!(error instanceof BadGrasp)) throw error;
         this.problem = error.message;
+        this.answers.hold = ask('hold', this.answers.grasp, { angle_deg: this.angle });
       }
       this.stale = this.problem !== '';
       for (const listener of this.listeners) listener();

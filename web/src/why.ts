@@ -1,6 +1,6 @@
 // Why the object is held as it is, in words that come from the answer alone.
 import type { Held, Optimum } from './core';
-import { slope } from './curve';
+import { contains, slope } from './curve';
 import type { Answers } from './state';
 import { degrees, list, newtons, percent, plain, turn, wrapped } from './words';
 
@@ -50,6 +50,9 @@ function contactsInWords(answers: Answers, hold: Held): string {
   return `${manner}: ${parts.join('; ')}.`;
 }
 
+const leftOut = ({ best, check }: Answers, angle: number) =>
+  best.options.domain === 'pinched' && check.cradled_deg !== null && contains(check.cradled_deg, angle);
+
 function further(answers: Answers, angle: number, hold: Held, optimum: Optimum | undefined): string {
   // In newtons of force norm per degree: d sqrt(V) = dV / (2 sqrt(V)).
   const change = (side: 1 | -1) => {
@@ -59,6 +62,7 @@ function further(answers: Answers, angle: number, hold: Held, optimum: Optimum |
   const said = (side: 1 | -1) => {
     const way = side > 0 ? 'counter-clockwise' : 'clockwise';
     const by = change(side);
+    if (by === undefined && leftOut(answers, angle + 0.01 * side)) return `${way} the postures are cradled, and left out`;
     if (by === undefined) return `turned further ${way} it cannot be held`;
     if (Math.abs(by) < 1e-6 * hold.force_norm) return `${way} the force norm stays level at first`;
     return `${way} it ${by > 0 ? 'rises' : 'falls'} by ${newtons(Math.abs(by))} per degree`;
@@ -67,7 +71,7 @@ function further(answers: Answers, angle: number, hold: Held, optimum: Optimum |
   if (optimum?.type === 'min' && optimum.kind === 'kink')
     return optimum.edges_meet
       ? `Here the edges of the two friction cones meet on the vertical through the centre of mass: a kink, the force norm rises both ways. ${both}`
-      : `A kink: another contact reaches its limit here, and the force norm rises both ways. ${both}`;
+      : `A kink: here a contact changes what it does, and the force norm rises both ways. ${both}`;
   if (optimum?.type === 'min' && optimum.kind === 'smooth')
     return 'A smooth minimum: a small turn either way costs next to nothing.';
   return both.replace('counter-clockwise it', 'counter-clockwise the force norm');
