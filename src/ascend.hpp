@@ -102,10 +102,12 @@ Rise prove(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim, 
 }
 
 /// maximise() with a y of its own in the unholdable case: any that proves it. With rho > 0 it
-/// maximises value − ½ rho |y|² instead, whose y is bounded: (w − G f) / rho.
+/// maximises value − ½ rho |y|² instead, whose y is bounded: (w − G f) / rho. `rough`: without the
+/// digits that polishing gives.
 template <int Dim, class T>
 bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim, T>& start,
-            double force_cap, double rho, Point<Dim, T>& point) {
+            double force_cap, double rho, Point<Dim, T>& point,
+            [[maybe_unused]] bool rough = false) {
   constexpr double rounding = rounding_of<T>;
   const double unholdable = force_cap * force_cap;
   const auto above_cap = [&] {
@@ -132,9 +134,10 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
   for (int step = 0; step < 100; ++step) {
     [[maybe_unused]] const T last_error = error;
     error = point.residual.cwiseAbs().maxCoeff();
-    if (above_cap()) return false;
+    if (above_cap() || !(span(point.y) < 1e100)) return false;
     if (rho > 0 || !std::is_same_v<T, double>) {
-      if (error <= 4500 * rounding + 45 * rounding * span(point.y)) return true;
+      if (error <= 4500 * rounding + 45 * rounding * span(point.y))
+        return rho > 0 || size<Dim, T>(point.residual) <= 0.5 * delta;
     } else if constexpr (std::is_same_v<T, double>) {
       // In space there are no faces to polish on cheaply, so less has to do.
       constexpr double near = Dim == 2 ? 1e-13 : 0.5 * delta, off = Dim == 2 ? 1e-12 : 1e-11;
@@ -142,7 +145,7 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
         return true;
       const bool stalled = Dim == 2 || error > 0.1 * last_error;
       if (((settled && stalled) || error <= delta / 2 + 1e-14 * span(point.y)) &&
-          polish(grasp, w, 1e-13, point))
+          (rough || polish(grasp, w, 1e-13, point)))
         return !above_cap();
       if (unbounded && error <= 0.5 * delta) return true;
     }

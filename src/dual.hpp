@@ -110,6 +110,11 @@ template <>
 bool maximise(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
               double force_cap, Point<3>& point);
 
+/// The same as far as doubles come: true where point.f balances w but for their rounding. False:
+/// point.y may prove that it cannot be held, or nothing.
+bool approach(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
+              double force_cap, Point<3>& point);
+
 /// The same in wider numbers, for where rounding of doubles leaves it open: True: point.f balances
 /// w with at most the force cap. False: it cannot be held, and point.y tells w from what can be
 /// balanced.

@@ -183,7 +183,7 @@ bool finish(const Cones<3, Wide>& cones, const Screw<3, Wide>& w, Point<3, Wide>
   evaluate<3, Wide>(cones, w, Screw<3, Wide>(point.y), point);
   Wide error = point.residual.cwiseAbs().maxCoeff();
   for (int step = 0; step < 12; ++step) {
-    if (error <= 1e-22 + 1e-29 * span(point.y)) return true;
+    if (error <= 1e-22 + 1e-29 * span(point.y)) return error <= 0.1 * delta;
     const Screw<3, Wide> y = point.y + newton_step(curvature(cones, point), point.residual);
     evaluate<3, Wide>(cones, w, y, point);
     const Wide before = error;
@@ -312,22 +312,60 @@ Twist<3> cold_start<3>(const ScaledGrasp<3>& grasp, const Wrench<3>& w) {
   return grasp.inverse * w;
 }
 
+namespace {
+
+/// Towards point.y from what can be balanced to w, as a proof that nothing holds.
+bool sharpen(const ScaledGrasp<3>& grasp, const Wrench<3>& w, double force_cap, Point<3>& point) {
+  // A weak pull towards y = 0 gives the direction, but for what else y has to do. A pull that is
+  // ten times weaker makes only the direction ten times longer.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Point<3> pulled(grasp.size);
+  ascend<3, double>(grasp, w, Twist<3>::Zero(), infinity, 1e-7, pulled);
+  const Twist<3> first = pulled.y;
+  ascend<3, double>(grasp, w, Twist<3>(10 * first), infinity, 1e-8, pulled);
+  for (const Twist<3>& y : {Twist<3>(pulled.y - first), pulled.y}) {
+    const double all_of_it = length<3, double>(y);
+    if (!(all_of_it > 0) || !prove_along<double>(grasp, w, y / all_of_it, force_cap, pulled))
+      continue;
+    point = pulled;
+    return true;
+  }
+  return false;
+}
+
+/// A proof that a neighbour cannot be held is too long to start from.
+Twist<3> start_from(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start) {
+  return span(start) < 1e8 ? start : cold_start<3>(grasp, w);
+}
+
+}  // namespace
+
+bool approach(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
+              double force_cap, Point<3>& point) {
+  if (ascend<3, double>(grasp, w, start_from(grasp, w, start), force_cap, 0, point, true)) {
+    if (span(point.y) < 1e4 * (1 + point.value)) return true;
+    // Rounding of a load at the border of what can be held may ask for a very long y.
+    constexpr double rho = 1e-13;
+    Point<3> pulled(grasp.size);
+    ascend<3, double>(grasp, w, cold_start<3>(grasp, w), std::numeric_limits<double>::infinity(),
+                      rho, pulled);
+    pulled.residual += rho * pulled.y;
+    if (size<3, double>(pulled.residual) <= 0.4 * delta) {
+      pulled.value =
+          pulled.y.dot(w) - pulled.y.dot(w - pulled.residual) + 0.5 * squared_norm(pulled);
+      point = pulled;
+    }
+    return true;
+  }
+  sharpen(grasp, w, force_cap, point);
+  return false;
+}
+
 template <>
 bool maximise<3>(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
                  double force_cap, Point<3>& point) {
-  // A proof that a neighbour cannot be held is too long to start from.
-  const bool near = span(start) < 1e8;
-  const Twist<3> y = near ? start : cold_start<3>(grasp, w);
-  if (ascend<3, double>(grasp, w, y, force_cap, 0, point)) return true;
-  // A weak pull towards y = 0 gives a sharper proof.
-  Point<3> pulled = point;
-  ascend<3, double>(grasp, w, Twist<3>::Zero(), std::numeric_limits<double>::infinity(), 1e-8,
-                    pulled);
-  const double long_as = length<3, double>(pulled.y);
-  if (long_as > 0 && prove_along<double>(grasp, w, pulled.y / long_as, force_cap, pulled)) {
-    point = pulled;
-    return false;
-  }
+  if (ascend<3, double>(grasp, w, start_from(grasp, w, start), force_cap, 0, point)) return true;
+  if (sharpen(grasp, w, force_cap, point)) return false;
   if (lower_bound(point) > force_cap * force_cap) return false;
   Point<3, Wide> wide(grasp.size);
   const bool holdable = decide(widened(grasp), w.cast<Wide>(), force_cap, wide);

@@ -8,12 +8,15 @@
 namespace poise {
 namespace {
 
-template <class Matrix>
-Matrix pseudo_inverse(const Matrix& GGt) {
+template <class Matrix, class Twist>
+Matrix pseudo_inverse(const Matrix& GGt, std::vector<Twist>& kernel) {
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(GGt);
   auto values = eigen.eigenvalues().eval();
   const double least = 1e-14 * values.maxCoeff();
-  for (double& value : values) value = value > least ? 1 / value : 0;
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    if (!(values[k] > least)) kernel.push_back(eigen.eigenvectors().col(k));
+    values[k] = values[k] > least ? 1 / values[k] : 0;
+  }
   return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
@@ -47,7 +50,7 @@ ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
     forces << Eigen::Matrix2d::Identity(), -r.y(), r.x();
     GGt += contact.share * forces * forces.transpose();
   }
-  inverse = pseudo_inverse(GGt);
+  inverse = pseudo_inverse(GGt, unfelt);
 }
 
 template <>
@@ -86,7 +89,7 @@ ScaledGrasp<3>::ScaledGrasp(const Grasp<3>& grasp)
     G.col(3).tail<3>() = lane.soft[k] * frame.col(0);
     GGt += G * G.transpose();
   }
-  inverse = pseudo_inverse(GGt);
+  inverse = pseudo_inverse(GGt, unfelt);
 }
 
 Cones<2, Wide> widened(const Cones<2>& cones) {
@@ -110,14 +113,25 @@ Cones<3, Wide> widened(const Cones<3>& cones) {
     const ContactLane<3>& c = cones.lanes[i / lane_size];
     const std::size_t k = i % lane_size;
     ContactLane<3, Wide>& w = wide.lanes[i];
+    // The tangents are perpendicular to the normal in all digits.
+    Eigen::Matrix<Wide, 3, 1> n, a;
     for (int d = 0; d < 3; ++d) {
-      w.n[d] = c.n[d][k];
-      w.a[d] = c.a[d][k];
-      w.b[d] = c.b[d][k];
+      n[d] = c.n[d][k];
+      a[d] = c.a[d][k];
       w.r[d] = c.r[d][k];
     }
+    w.share = n.squaredNorm();
+    if (w.share > 0) {
+      a -= n * (a.dot(n) / w.share);
+      a *= sqrt(w.share / a.squaredNorm());
+    }
+    const Eigen::Matrix<Wide, 3, 1> b = n.cross(a) / (w.share > 0 ? sqrt(w.share) : Wide(1));
+    for (int d = 0; d < 3; ++d) {
+      w.n[d] = n[d];
+      w.a[d] = a[d];
+      w.b[d] = b[d];
+    }
     w.soft = c.soft[k];
-    w.share = c.share[k];
     w.mu = c.mu[k];
     w.edge = 1 / (1 + w.mu * w.mu);
     w.lo = c.lo[k];

@@ -72,6 +72,8 @@ struct ScaledGrasp : Cones<Dim> {
   double per_weight;  ///< 1 / W [1/N]
   /// Pseudo-inverse of G G^T: the dual of a load while no contact is at the border of its cone.
   Eigen::Matrix<double, wrench_size<Dim>, wrench_size<Dim>> inverse;
+  /// Twists that no contact feels, an orthonormal basis: two hard fingers leave one in space.
+  std::vector<Twist<Dim>> unfelt;
 };
 
 /// The same contacts in wider numbers.

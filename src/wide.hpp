@@ -54,7 +54,7 @@ class Wide {
   friend Wide abs(const Wide& a) { return a.high_ < 0 ? -a : a; }
   /// One Newton step from the root of the high part.
   friend Wide sqrt(const Wide& a) {
-    if (!(a.high_ > 0)) return 0;
+    if (!(a.high_ > 0)) return a.high_ < 0 ? 0 : a.high_;
     const double root = std::sqrt(a.high_);
     return Wide(root) + (a - Wide(root) * root) / (2 * root);
   }

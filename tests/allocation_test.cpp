@@ -93,6 +93,32 @@ TEST(Allocation, OfCopiesOfSuchHoldsIsNone) {
             0U);
 }
 
+TEST(Allocation, OfHoldsInSpaceIsNone) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> part(-1, 1);
+  const auto direction = [&] {
+    return Vector<3>(part(random), part(random), part(random)).normalized();
+  };
+  int held = 0, unholdable = 0;
+  for (int round = 0; round < 500; ++round) {
+    std::vector<Contact<3>> contacts(1 + random() % 16);
+    for (Contact<3>& contact : contacts) {
+      contact.position = direction();
+      contact.normal = -contact.position;
+      contact.friction = 0.5 + part(random) / 2;
+      if (random() % 2 == 0) contact.torsion = 0.1;
+      if (random() % 4 == 0) contact.max_normal = 1.5 + part(random);
+    }
+    const Grasp<3> grasp({1, 0.2 * direction()}, contacts);
+    const Vector<3> up = direction();
+    Hold<3> found;
+    ASSERT_EQ(allocations_of([&] { found = hold(grasp, up); }), 0U);
+    ++(found.holdable ? held : unholdable);
+  }
+  EXPECT_GT(held, 100);
+  EXPECT_GT(unholdable, 20);
+}
+
 TEST(Allocation, OfMoreContactsIsAllowed) {
   std::mt19937 random(3);
   const Grasp<2> grasp = random_grasp(random, 40);

@@ -115,21 +115,14 @@ inline const std::vector<BadFile> bad_files{
      "object: {weight: 10, com: [0, 0]}\n"
      "contacts:\n"
      "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
-     "1:1: dimension: is missing, must be 2 (the plane)"},
-    {"space",
-     "poise: 1\n"
-     "dimension: 3\n"
-     "object: {weight: 10, com: [0, 0]}\n"
-     "contacts:\n"
-     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
-     "2:12: dimension: is 3, this version reads the plane only, must be 2"},
+     "1:1: dimension: is missing, must be 2 (the plane) or 3 (space)"},
     {"dimension 4",
      "poise: 1\n"
      "dimension: 4\n"
      "object: {weight: 10, com: [0, 0]}\n"
      "contacts:\n"
      "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
-     "2:12: dimension: is 4, must be 2 (the plane)"},
+     "2:12: dimension: is 4, must be 2 (the plane) or 3 (space)"},
     {"unknown key",
      "poise: 1\n"
      "dimension: 2\n"
@@ -696,6 +689,343 @@ inline const std::vector<BadFile> bad_files{
      "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
      "  - {position: [-1, 0], normal: [1, 0], friction: 1, finger: \"a\\eb\"}\n",
      "6:62: contacts[1].finger: is \"a?b\", must be one line of text without control characters"},
+    // Space.
+    {"angle in space",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "angle_deg: 30\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:1: angle_deg: belongs to the plane (dimension 2), not to space"},
+    {"pinched in space",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "domain: pinched\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:9: domain: pinched is for the plane, must be all: best_pinched is shown anyway"},
+    {"unknown domain in space",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "domain: any\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:9: domain: is \"any\", must be all or pinched"},
+    {"up of two numbers",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "up: [0, 1]\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:5: up: is a list of 2, must be [x, y, z]"},
+    {"up without length",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "up: [0, 0, 0]\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:5: up: has no length, must be a direction"},
+    {"up not finite",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "up: [0, .nan, 1]\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:9: up[1]: is nan, must be a finite number"},
+    {"tilt is a number",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "tilt: 30\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:7: tilt: is 30, must be a mapping (keys: max_deg, from)"},
+    {"tilt from nowhere",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "tilt: {max_deg: 30}\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:7: tilt.from: is missing, must be [x, y, z]"},
+    {"tilt from no direction",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "tilt: {from: [0, 0, 0], max_deg: 30}\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:14: tilt.from: has no length, must be a direction"},
+    {"tilt without angle",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "tilt: {from: [0, 0, 1]}\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:7: tilt.max_deg: is missing, must be an angle in degrees"},
+    {"tilt beyond the horizontal",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "tilt: {from: [0, 0, 1], max_deg: 90.5}\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:34: tilt.max_deg: is 90.5, must be from 0 to 90"},
+    {"negative tilt",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "tilt: {from: [0, 0, 1], max_deg: -1}\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:34: tilt.max_deg: is -1, must be from 0 to 90"},
+    {"unknown key of tilt",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "tilt: {from: [0, 0, 1], max: 30}\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:25: tilt.max: is not a known key, the nearest is max_deg"},
+    {"com of two numbers",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:27: object.com: is a list of 2, must be [x, y, z]"},
+    {"neither com nor solid",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:9: object.com: is missing, must be [x, y, z], as there is no shape"},
+    {"weight beside scenarios",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, scenarios: [{weight: 1, com: [0, 0, 0]}]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:18: object.weight: is given beside scenarios, must be given in each of them"},
+    {"com beside scenarios",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {com: [0, 0, 0], scenarios: [{weight: 1, com: [0, 0, 0]}]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:15: object.com: is given beside scenarios, must be given in each of them"},
+    {"no scenarios",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {scenarios: []}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:21: object.scenarios: is empty, must hold at least one scenario"},
+    {"scenarios are a mapping",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {scenarios: {weight: 1}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:21: object.scenarios: is a mapping, must be a list"},
+    {"scenario without weight",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {scenarios: [{weight: 1, com: [0, 0, 0]}, {com: [0, 0, 0]}]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:51: object.scenarios[1].weight: is missing, must be a force [N], or give mass [kg]"},
+    {"scenario without com",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {scenarios: [{weight: 1, com: [0, 0, 0]}, {mass: 1}]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:51: object.scenarios[1].com: is missing, must be [x, y, z], as there is no shape"},
+    {"scenario of weight 0",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {scenarios: [{weight: 1, com: [0, 0, 0]}, {weight: 0, com: [0, 0, 0]}]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:60: object.scenarios[1].weight: is 0, must be above 0"},
+    {"scenario with a shape",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {scenarios: [{weight: 1, shape: {sphere: {radius: 1}}}]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:34: object.scenarios[0].shape: is not a known key, the nearest is mass"},
+    {"shape of the plane",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {disk: {radius: 1}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:30: object.shape.disk: belongs to the plane (dimension 2), not to space"},
+    {"two solids",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {box: {size: [1, 1, 1]}, sphere: {radius: 1}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:29: object.shape: has 2 kinds, must have one: box, cylinder, sphere or ellipsoid"},
+    {"a mesh",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {mesh: cup.stl}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:36: object.shape.mesh: meshes are not read yet, must be a box, cylinder, sphere or "
+     "ellipsoid; or leave the shape out, and give com and normals"},
+    {"box of two sizes",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {box: {size: [1, 2]}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:42: object.shape.box.size: is a list of 2, must be [x, y, z]"},
+    {"box without a side",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {box: {size: [1, 2, 0]}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:49: object.shape.box.size[2]: is 0, must be above 0"},
+    {"cylinder without height",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {cylinder: {radius: 1}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:40: object.shape.cylinder.height: is missing, must be a length"},
+    {"needle in space",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {cylinder: {radius: 1e-5, height: 1}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:40: object.shape.cylinder: has a height of 50000 diameters, must be from 0.0002 to 5000"},
+    {"sphere of negative radius",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: -1}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:47: object.shape.sphere.radius: is -1, must be above 0"},
+    {"ellipsoid of a number",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {ellipsoid: 1}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:41: object.shape.ellipsoid: is 1, must be a mapping (keys: radii)"},
+    {"contact on an edge",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {box: {size: [2, 2, 2]}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 1, 0], friction: 1}\n",
+     "5:16: contacts[0].position: is on the edge between face +x and face +y of the box, give the "
+     "normal"},
+    {"contact at a corner of a box",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {box: {size: [2, 2, 2]}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 1, -1], friction: 1}\n",
+     "5:16: contacts[0].position: is at the corner between face +x, face +y and face -z of the "
+     "box, give the normal"},
+    {"contact on the rim",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {cylinder: {radius: 1, height: 2}}}\n"
+     "contacts:\n"
+     "  - {position: [0, 1, 1], friction: 1}\n",
+     "5:16: contacts[0].position: is on the edge between the side and the end +z of the cylinder, "
+     "give the normal"},
+    {"contact off the solid",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "contacts:\n"
+     "  - {position: [0, 1.1, 0], friction: 1}\n",
+     "5:16: contacts[0].position: is 0.1 m from the boundary of the shape, must be within 0.0001 m "
+     "of it, or give the normal"},
+    {"position of two numbers",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n"
+     "  - {position: [1, 0], normal: [1, 0, 0], friction: 1}\n",
+     "6:16: contacts[1].position: is a list of 2, must be [x, y, z]"},
+    {"normal of two numbers",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n"
+     "  - {position: [1, 0, 0], normal: [1, 0], friction: 1}\n",
+     "6:35: contacts[1].normal: is a list of 2, must be [x, y, z]"},
+    {"normal without length in space",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n"
+     "  - {position: [1, 0, 0], normal: [0, 0, 0], friction: 1}\n",
+     "6:35: contacts[1].normal: has no length, must point from the finger inwards"},
+    {"no normal, no solid",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n"
+     "  - {position: [1, 0, 0], friction: 1}\n",
+     "6:5: contacts[1].normal: is missing, must be [x, y, z], as there is no shape"},
+    {"negative torsion",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "length_unit: mm\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n"
+     "  - {position: [1, 0, 0], normal: [1, 0, 0], friction: 1, torsion: -2}\n",
+     "7:68: contacts[1].torsion: is -2, must be at least 0"},
+    {"torsion without friction",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n"
+     "  - {position: [1, 0, 0], normal: [1, 0, 0], friction: 0, torsion: 0.01}\n",
+     "6:68: contacts[1].torsion: is given for a frictionless contact, must be left out, or give "
+     "friction above 0"},
+    {"torsion is text",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n"
+     "  - {position: [1, 0, 0], normal: [1, 0, 0], friction: 1, torsion: soft}\n",
+     "6:68: contacts[1].torsion: is \"soft\", must be a number"},
+    {"misspelt torsion",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n"
+     "  - {position: [1, 0, 0], normal: [1, 0, 0], friction: 1, torison: 0.01}\n",
+     "6:59: contacts[1].torison: is not a known key, the nearest is torsion"},
 };
 
 }  // namespace poise

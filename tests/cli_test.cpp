@@ -1,69 +1,10 @@
-// The program as its users meet it: a child process with arguments, streams and an exit status.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "bad_files.hpp"
+#include "command_line.hpp"
 
 namespace poise {
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::json;
-
-std::string contents(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-struct Outcome {
-  int status;  ///< -1 where a signal ended it
-  std::string out, err;
-};
-
-class CommandLine : public testing::Test {
- protected:
-  CommandLine()
-      : folder_(fs::path(testing::TempDir()) / ("poise_cli_" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~CommandLine() override { fs::remove_all(folder_); }
-
-  /// Runs the program in the test's folder; the arguments are a piece of shell.
-  Outcome poise(const std::string& arguments, const std::string& environment = "") const {
-    return shell(environment + " '" POISE_PROGRAM "' " + arguments);
-  }
-  Outcome shell(const std::string& command) const {
-    const std::string in = folder_.string();
-    const int status =
-        std::system(("cd '" + in + "' && (" + command + ") >out.txt 2>err.txt </dev/null").c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder_ / "out.txt"),
-            contents(folder_ / "err.txt")};
-  }
-  Json json(const std::string& arguments, int status = 0) const {
-    const Outcome run = poise(arguments + " --json");
-    EXPECT_EQ(run.status, status) << arguments << "\n" << run.err;
-    EXPECT_EQ(run.err, "") << arguments;
-    return Json::parse(run.out);
-  }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return name;
-  }
-  const fs::path& folder() const { return folder_; }
-
- private:
-  fs::path folder_;
-};
-
-std::string example(const std::string& name) { return "'" POISE_EXAMPLES "/" + name + ".yaml'"; }
 
 /// Fig. 4(c) of the paper: only the ends of its range can be held.
 const std::string fig_4c =
@@ -162,7 +103,8 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
     std::string arguments, words;
   } usages[] = {
       {"", "A subcommand is required"},
-      {"hodl 4c.yaml", "unknown command 'hodl', must be check, hold, best, curve, view or paper"},
+      {"hodl 4c.yaml",
+       "unknown command 'hodl', must be check, hold, best, curve, verify, view or paper"},
       {"best", "FILE is required"},
       {"paper", "--out is required"},
       {"paper --out ''", "--out: '' is not a directory"},
@@ -192,8 +134,12 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
       {"hold 4c.yaml --angle 1 --angle 2", "--angle"},
       {"hold 4c.yaml --angle 1 --up 0,1", "--angle excludes --up"},
       {"hold 4c.yaml --up 0,0", "--up: 0,0 has no direction"},
-      {"hold 4c.yaml --up 1", "--up: '1' is not a direction, must be like 0.5,0.8"},
-      {"hold 4c.yaml --up 1,2,3", "--up: '1,2,3' is not a direction"},
+      {"hold 4c.yaml --up 1",
+       "--up: '1' is not a direction, must be like 0.5,0.8 (in space 0.5,0,0.8)"},
+      {"hold 4c.yaml --up 1,2,", "--up: '1,2,' is not a direction"},
+      {"hold 4c.yaml --up 1,2,3,4", "--up: '1,2,3,4' is not a direction"},
+      {"hold 4c.yaml --up 1,2,3",
+       "--up: has 3 numbers, must have 2: 4c.yaml is in the plane (dimension 2)"},
       {"best 4c.yaml --domain half", "--domain: 'half' must be all or pinched"},
       {"best 4c.yaml --force-cap 0", "--force-cap: '0' is not a number of weights"},
       {"best 4c.yaml --force-cap -1", "--force-cap: '-1'"},
@@ -299,6 +245,27 @@ TEST_F(CommandLine, SaysSoWhereTheAnswerCannotBeWritten) {
   const Outcome left = shell("(sleep 0.2; " + best + " --json; echo $? >status.txt) | true");
   EXPECT_EQ(left.err, "");
   EXPECT_EQ(contents(folder() / "status.txt"), "2\n");
+}
+
+TEST_F(CommandLine, VerifiesWhatTheOthersPrint) {
+  for (const std::string command : {"check", "hold", "best", "curve"}) {
+    const Outcome printed =
+        shell("'" POISE_PROGRAM "' " + command + " " + example("l-part") + " --json > result.json");
+    ASSERT_EQ(printed.status, 0) << printed.err;
+    const Outcome run = poise("verify " + example("l-part") + " result.json");
+    EXPECT_EQ(run.status, 0) << run.out << run.err;
+    EXPECT_NE(run.out.find("Confirmed: all "), run.out.npos);
+    EXPECT_EQ(json("verify " + example("l-part") + " result.json")["confirmed"], true);
+    const Outcome other = poise("verify " + example("ito-fig6") + " result.json");
+    EXPECT_EQ(other.status, 1) << command;
+    EXPECT_NE(other.out.find("Refuted\n  line "), other.out.npos);
+  }
+  EXPECT_EQ(poise("verify " + example("l-part")).status, 2);
+  write("damaged.json", "{\n \"poise_result\": 1,\n \"command\": \"hold\", \"options\": []}");
+  const Outcome damaged = poise("verify " + example("l-part") + " damaged.json");
+  EXPECT_EQ(damaged.status, 2);
+  EXPECT_EQ(damaged.out, "");
+  EXPECT_EQ(damaged.err.find("poise: damaged.json:3:"), 0U) << damaged.err;
 }
 
 class Plot : public CommandLine {

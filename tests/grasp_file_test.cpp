@@ -56,7 +56,9 @@ const std::string contacts =
     "contacts:\n  - {position: [1, 0], normal: [-1, 0], friction: 1}\n"
     "  - {position: [-1, 0], normal: [1, 0], friction: 1}\n";
 
-GraspFile read(const std::string& text) { return grasp_from_yaml(text, "f.yaml"); }
+PlanarFile read(const std::string& text) {
+  return std::get<PlanarFile>(grasp_from_yaml(text, "f.yaml"));
+}
 
 std::vector<std::string> warnings(const std::string& text) { return read(text).warnings; }
 
@@ -69,9 +71,8 @@ std::string error(const std::string& text) {
   return "";
 }
 
-void expect_equal(const GraspFile& a, const GraspFile& b) {
+void expect_equal(const PlanarFile& a, const PlanarFile& b) {
   EXPECT_EQ(a.name, b.name);
-  EXPECT_EQ(a.dimension, b.dimension);
   EXPECT_EQ(a.safety, b.safety);
   EXPECT_EQ(a.angle, b.angle);
   EXPECT_EQ(a.domain, b.domain);
@@ -95,9 +96,8 @@ void expect_equal(const GraspFile& a, const GraspFile& b) {
 }
 
 TEST(GraspFile, SaysWhatItSays) {
-  const GraspFile file = read(yaml);
+  const PlanarFile file = read(yaml);
   EXPECT_EQ(file.name, "disk \u00e9/\U0001F600");
-  EXPECT_EQ(file.dimension, 2);
   EXPECT_EQ(file.safety, 1.25);
   EXPECT_DOUBLE_EQ(file.angle.value(), pi / 2);
   EXPECT_EQ(file.domain, Domain::pinched);
@@ -123,11 +123,11 @@ TEST(GraspFile, SaysWhatItSays) {
 
 TEST(GraspFile, IsTheSameInYamlAndJson) {
   expect_equal(read(yaml), read(json));
-  expect_equal(read(yaml), grasp_from_json(json, "f.json"));
+  expect_equal(read(yaml), std::get<PlanarFile>(grasp_from_json(json, "f.json")));
 }
 
 TEST(GraspFile, HasDefaults) {
-  const GraspFile file = read(top + object + contacts);
+  const PlanarFile file = read(top + object + contacts);
   EXPECT_EQ(file.name, "");
   EXPECT_EQ(file.safety, 1);
   EXPECT_FALSE(file.angle);
@@ -148,10 +148,10 @@ TEST(GraspFile, AUnitScalesEveryLength) {
   const std::string rest =
       "object: {weight: 1, com: [1, 2], shape: {polygon: [[0, 0], [4, 0], [4, 3], [0, 3]]}}\n"
       "contacts: [{position: [4, 1], friction: 1, min_normal: 0.5}]\n";
-  const GraspFile metres = read(top + rest);
+  const PlanarFile metres = read(top + rest);
   for (const auto& [unit, scale] : {std::pair("m", 1.0), std::pair("cm", 0.01),
                                     std::pair("mm", 0.001), std::pair("in", 0.0254)}) {
-    const GraspFile file = read(top + "length_unit: " + unit + "\n" + rest);
+    const PlanarFile file = read(top + "length_unit: " + unit + "\n" + rest);
     EXPECT_TRUE(file.object.com.isApprox(scale * metres.object.com));
     EXPECT_TRUE(file.contacts[0].position.isApprox(scale * metres.contacts[0].position));
     EXPECT_DOUBLE_EQ(size(*file.shape), scale * 2.5);
@@ -162,11 +162,11 @@ TEST(GraspFile, AUnitScalesEveryLength) {
 }
 
 TEST(GraspFile, OutwardNormalsAreFlippedThoseOfTheShapeAreNot) {
-  const GraspFile file = read(top +
-                              "normals: outward\n"
-                              "object: {weight: 1, shape: {ellipse: {radii: [2, 1]}}}\n"
-                              "contacts: [{position: [2, 0], friction: 1},\n"
-                              "  {position: [-2, 0], normal: [-1, 0], friction: 1}]\n");
+  const PlanarFile file = read(top +
+                               "normals: outward\n"
+                               "object: {weight: 1, shape: {ellipse: {radii: [2, 1]}}}\n"
+                               "contacts: [{position: [2, 0], friction: 1},\n"
+                               "  {position: [-2, 0], normal: [-1, 0], friction: 1}]\n");
   EXPECT_EQ(file.contacts[0].normal, Vector<2>(-1, 0));
   EXPECT_EQ(file.contacts[1].normal, Vector<2>(1, 0));
   EXPECT_EQ(file.warnings, std::vector<std::string>());
@@ -191,7 +191,7 @@ TEST(GraspFile, AnAngleIsTakenModuloATurn) {
 }
 
 TEST(GraspFile, AnAliasStandsForItsValue) {
-  const GraspFile file =
+  const PlanarFile file =
       read(top + object +
            "contacts:\n  - &left {position: [1, 0], normal: &n [-1, 0], friction: 1}\n"
            "  - {position: [2, 0], normal: *n, friction: 1}\n  - *left\n");
@@ -200,7 +200,7 @@ TEST(GraspFile, AnAliasStandsForItsValue) {
 }
 
 TEST(GraspFile, TagsOfTheCoreSchemaAreUnderstood) {
-  const GraspFile file = read(top + "name: !!str 12\nsafety: !!float 2\n" + object + contacts);
+  const PlanarFile file = read(top + "name: !!str 12\nsafety: !!float 2\n" + object + contacts);
   EXPECT_EQ(file.name, "12");
   EXPECT_EQ(file.safety, 2);
 }
@@ -282,7 +282,7 @@ TEST(GraspFile, IsReadFromDisk) {
   std::filesystem::create_directory(folder);
   const std::string file = (folder / "f.yaml").string();
   std::ofstream(file) << yaml;
-  expect_equal(read_grasp_file(file), read(yaml));
+  expect_equal(std::get<PlanarFile>(read_grasp_file(file)), read(yaml));
 
   const auto problem = [](const std::string& name) {
     try {

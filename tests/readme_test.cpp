@@ -120,8 +120,7 @@ TEST(Documentation, GraspFilesLoad) {
     const bool json = listing.language == "json" && listing.text.find("\"poise\":") < 10;
     if (!yaml && !json) continue;
     ++files;
-    EXPECT_NO_THROW(
-        (yaml ? grasp_from_yaml : grasp_from_json)(listing.text, listing.place).grasp());
+    EXPECT_NO_THROW((yaml ? grasp_from_yaml : grasp_from_json)(listing.text, listing.place));
   }
   EXPECT_GE(files, 4);
 }
@@ -153,6 +152,54 @@ TEST(Documentation, PaperTellsWhatIsMeasured) {
   EXPECT_EQ(cells, 18);
   EXPECT_NE(replaced(page, ",", "").find("7259 of 20000"), std::string::npos);
   EXPECT_NE(findings.find("7259 of 20000"), std::string::npos);
+}
+
+// The verifier in Python, as it stands on its page, confirms real results and refuses spoilt ones.
+TEST(Documentation, CertificateListingVerifies) {
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("poise_certificate_" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const auto path = [&](const char* name) { return "'" + (folder / name).string() + "'"; };
+  int scripts = 0;
+  for (const Listing& listing : listings(root / "docs/certificate.md")) {
+    if (listing.language != "python") continue;
+    ++scripts;
+    std::ofstream(folder / "verify.py") << listing.text;
+  }
+  EXPECT_EQ(scripts, 1);
+  // A tray on three supports, and the same turned so far that it slips off.
+  const std::string tray =
+      "poise: 1\ndimension: 3\nobject: {weight: 10, com: [0.1, 0.05, 0.9]}\ncontacts:\n"
+      "  - {position: [1, 0, 0], normal: [0, 0, 1], friction: 0.3}\n"
+      "  - {position: [-0.5, 0.866, 0], normal: [0.1, 0, 1], friction: 0.3, torsion: 0.1}\n"
+      "  - {position: [-0.5, -0.866, 0], normal: [0, 0, 1], friction: 0.3}\n";
+  std::ofstream(folder / "tray.yaml") << tray << "tilt: {from: [0, 0, 1], max_deg: 30}\n";
+  std::ofstream(folder / "fallen.yaml") << tray << "tilt: {from: [0, 0, -1], max_deg: 30}\n";
+  for (const std::string& grasp :
+       {std::string("examples/ito-fig6.yaml"), std::string("examples/hexagon-three-fingers.yaml"),
+        path("tray.yaml"), path("fallen.yaml")}) {
+    output("build/poise check " + grasp + " --json > " + path("grasp.json"));
+    const std::string python = "/usr/bin/python3 " + path("verify.py") + " " + path("grasp.json");
+    for (const std::string command : {"hold", "best"}) {
+      output("build/poise " + command + " " + grasp + " --json > " + path("result.json"));
+      EXPECT_EQ(output(python + " " + path("result.json")), "confirmed\n") << grasp << command;
+      EXPECT_NE(output("build/poise verify " + grasp + " " + path("result.json")).find("Confirmed"),
+                std::string::npos)
+          << grasp << command;
+      // The proofs, turned round.
+      const std::string text = contents(folder / "result.json");
+      std::string spoilt = replaced(replaced(text, "\"y\": [", "\"y\": [-1e3"), "[-1e3-", "[1e3");
+      if (command == "hold")
+        spoilt = replaced(replaced(text, "dual\": [", "dual\": [-1e3"), "[-1e3-", "[1e3");
+      if (spoilt == text || grasp.find("ito") != grasp.npos) continue;
+      std::ofstream(folder / "spoilt.json") << spoilt;
+      EXPECT_NE(output(python + " " + path("spoilt.json")), "confirmed\n") << grasp << command;
+      EXPECT_EQ(output("build/poise verify " + grasp + " " + path("spoilt.json")).find("Confirmed"),
+                std::string::npos)
+          << grasp << command;
+    }
+  }
+  fs::remove_all(folder);
 }
 
 }  // namespace

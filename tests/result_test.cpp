@@ -225,12 +225,12 @@ TEST(ResultDocument, OfTheCurveHasThePromisedKeys) {
 }
 
 TEST(ResultDocument, OfACheckSaysWhatWasUnderstood) {
-  const GraspFile file = grasp_from_json(R"({
+  const PlanarFile file = std::get<PlanarFile>(grasp_from_json(R"({
     "poise": 1, "dimension": 2, "name": "part", "safety": 2, "length_unit": "mm",
     "object": {"mass": 1, "shape": {"ellipse": {"radii": [30, 20]}}},
     "contacts": [{"position": [30, 0], "friction": 4, "max_normal": 20},
                  {"position": [-30, 0], "friction": 0.5, "finger": "thumb"}]})",
-                                         "f.json");
+                                                               "f.json"));
   const Json document = parsed(check_document(file, file.grasp()));
   EXPECT_EQ(keys(document), with(document_keys, {"name", "dimension", "safety", "angle_deg",
                                                  "domain", "weight", "com", "shape", "contacts",

@@ -204,14 +204,14 @@ inline std::string fault(const Grasp<3>& grasp, const Real6& w, const Hold<3>& h
     const std::string other = fault(grasp, i, hold.forces[i]);
     if (!other.empty()) return other + " of contact " + std::to_string(i);
   }
-  // The proof: its y loses as many digits as it is longer than the weight.
-  const Real lost = std::max(Real{1}, norm / 1000);
+  // The proof: with y ~ norm^3 at worst the rounding of normals, times y, makes itself felt in f.
+  const Real lost = std::max(Real{1}, 4e-6L * norm * norm);
   // And what a balance within the tolerance may be worth to it.
   const Real bound = dual_bound(grasp, w, hold.dual);
   const Real small = 1e-15L * weight * weight + 2 * (bound - proven_effort(grasp, w, hold.dual));
-  if (bound > effort * (1 + 1e-10L * lost) + small) return wrong("the dual bound", bound, effort);
+  if (bound > effort * (1 + 1e-9L * lost) + small) return wrong("the dual bound", bound, effort);
   if (bound < effort * (1 - 1e-9L * lost) - small) return wrong("the dual bound", bound, effort);
-  if (!close(bound, hold.lower_bound, 1e-10L * lost, small))
+  if (!close(bound, hold.lower_bound, 1e-9L * lost, small))
     return wrong("lower_bound", hold.lower_bound, bound);
   return "";
 }

@@ -30,15 +30,67 @@ double read_angle(const std::string& text) {
   return angle <= -180 ? 180 : angle;
 }
 
-Vector<2> read_up(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  const auto x = parsed(text.substr(0, comma));
-  const auto y = comma == std::string::npos ? std::nullopt : parsed(text.substr(comma + 1));
-  if (!x || !y)
-    throw UsageError("--up: " + quoted(text) + " is not a direction, must be like 0.5,0.8");
-  const Vector<2> up(*x, *y);
-  if (up.isZero(0)) throw UsageError("--up: 0,0 has no direction");
-  return up;
+/// Numbers between commas; empty if they are none.
+std::vector<double> parsed_list(std::string_view text) {
+  std::vector<double> numbers;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const auto number = parsed(text.substr(at, comma - at));
+    if (!number) return {};
+    numbers.push_back(*number);
+    at = comma + 1;
+  }
+  return numbers;
+}
+
+/// Numbers that are not all 0, as many as in one of the examples.
+std::vector<double> read_direction(const std::string& flag, const std::string& text,
+                                   std::size_t least, std::size_t most,
+                                   const std::string& examples) {
+  std::vector<double> numbers = parsed_list(text);
+  if (numbers.size() < least || numbers.size() > most)
+    throw UsageError(flag + ": " + quoted(text) + " is not a direction, must be like " + examples);
+  if (std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == 0; }))
+    throw UsageError(flag + ": " + text + " has no direction");
+  return numbers;
+}
+
+Vector<3> read_tilt_from(const std::string& text) {
+  const std::vector<double> v = read_direction("--tilt-from", text, 3, 3, "0,0,1");
+  return Vector<3>(v[0], v[1], v[2]).stableNormalized();
+}
+
+double read_tilt_max(const std::string& text) {
+  const auto degrees = parsed(text);
+  if (!degrees || !(*degrees >= 0 && *degrees <= 90))
+    throw UsageError("--tilt-max: " + quoted(text) + " is not an angle from 0 to 90 degrees");
+  return *degrees;
+}
+
+Eigen::Quaterniond read_orientation(const std::string& text) {
+  const std::vector<double> v = parsed_list(text);
+  if (v.size() != 4)
+    throw UsageError("--orientation: " + quoted(text) +
+                     " is not a quaternion, must be like 1,0,0,0 (w first)");
+  const Eigen::Vector4d wxyz = Eigen::Vector4d(v[0], v[1], v[2], v[3]).stableNormalized();
+  if (!(wxyz.norm() > 0.5)) throw UsageError("--orientation: " + text + " has no length");
+  return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
+}
+
+double read_gap(const std::string& text) {
+  const auto gap = parsed(text);
+  if (!gap || !(*gap > 0 && *gap < 1))
+    throw UsageError("--gap: " + quoted(text) + " is not a part of the effort, must be above 0 " +
+                     "and below 1");
+  return *gap;
+}
+
+int read_max_holds(const std::string& text) {
+  const auto holds = parsed(text);
+  if (!holds || !(*holds >= 1 && *holds <= 1e6) || *holds != std::floor(*holds))
+    throw UsageError("--max-holds: " + quoted(text) +
+                     " is not a number of holds, must be from 1 to 1000000");
+  return static_cast<int>(*holds);
 }
 
 double read_force_cap(const std::string& text) {
@@ -87,6 +139,7 @@ struct Parser {
       "How to turn a held object so that its fingers press least, and how hard they press."};
   Arguments arguments{};
   std::optional<std::string> angle{}, up{}, domain{}, force_cap{}, phi{}, mu1{}, mu2{}, weight{};
+  std::optional<std::string> gap{}, max_holds{}, tilt_from{}, tilt_max{}, orientation{};
   std::optional<std::string> page{};
 
   Parser() {
@@ -100,7 +153,8 @@ struct Parser {
     app.get_formatter()->label("Excludes", "not with");
     app.footer(
         "FILE is a grasp file (YAML or JSON), or - for standard input.\n"
-        "Exit status: 0 it can be held, 1 it cannot be held, 2 bad input or usage.");
+        "Exit status: 0 it can be held, 1 it cannot be held, 2 bad input or usage;\n"
+        "of verify: 0 confirmed, 1 refuted, 2 bad input or usage.");
 
     add("check", "Say how a grasp file is understood, with warnings");
     CLI::App* const hold = add("hold", "The least contact forces in one posture");
@@ -111,7 +165,7 @@ struct Parser {
         hold->add_option("--angle", angle, "Posture: the object turned counter-clockwise")
             ->type_name("DEG");
     hold->add_option("--up", up, "Posture: the direction against gravity")
-        ->type_name("X,Y")
+        ->type_name("X,Y[,Z]")
         ->excludes(angle_option);
     for (CLI::App* const command : {best, curve})
       command->add_option("--domain", domain, "Postures to choose from: all, or those not cradled")
@@ -120,8 +174,24 @@ struct Parser {
       command
           ->add_option("--force-cap", force_cap, "Greatest force norm of a hold, in weights (1e6)")
           ->type_name("N");
+    best->add_option("--gap", gap, "Space: how far the effort may be above the proven bound (1e-6)")
+        ->type_name("PART");
+    best->add_option("--max-holds", max_holds, "Space: holds to spend on the proof (2000)")
+        ->type_name("N");
+    best->add_option("--tilt-from", tilt_from, "Space: choose from postures near this one")
+        ->type_name("X,Y,Z");
+    best->add_option("--tilt-max", tilt_max, "Space: at most so far from it, 0 to 90")
+        ->type_name("DEG");
+    best->add_option("--orientation", orientation,
+                     "Space: how the object is turned now, object to world, +z up")
+        ->type_name("W,X,Y,Z");
     curve->add_option("--plot", arguments.plot, "Draw the held object beside the curve")
         ->type_name("SVG");
+    add("verify", "Check a result of these commands again, by other means")
+        ->add_option("RESULT", arguments.result,
+                     "What check, hold, best or curve printed by --json")
+        ->type_name("")
+        ->required();
     add_view();
     add_paper();
   }
@@ -166,14 +236,20 @@ struct Parser {
 
   void read_values() {
     const std::string& name = app.get_subcommands().front()->get_name();
-    arguments.command = name == "check"   ? Command::check
-                        : name == "hold"  ? Command::hold
-                        : name == "best"  ? Command::best
-                        : name == "curve" ? Command::curve
-                        : name == "view"  ? Command::view
-                                          : Command::paper;
+    arguments.command = name == "check"    ? Command::check
+                        : name == "hold"   ? Command::hold
+                        : name == "best"   ? Command::best
+                        : name == "curve"  ? Command::curve
+                        : name == "verify" ? Command::verify
+                        : name == "view"   ? Command::view
+                                           : Command::paper;
     if (angle) arguments.angle_deg = read_angle(*angle);
-    if (up) arguments.up = read_up(*up);
+    if (up) arguments.up = read_direction("--up", *up, 2, 3, "0.5,0.8 (in space 0.5,0,0.8)");
+    if (gap) arguments.gap = read_gap(*gap);
+    if (max_holds) arguments.max_holds = read_max_holds(*max_holds);
+    if (tilt_from) arguments.tilt_from = read_tilt_from(*tilt_from);
+    if (tilt_max) arguments.tilt_max_deg = read_tilt_max(*tilt_max);
+    if (orientation) arguments.orientation = read_orientation(*orientation);
     if (domain) arguments.domain = read_domain(*domain);
     if (arguments.plot && arguments.plot->empty()) throw UsageError("--plot: '' is not a file");
     if (page && page->empty()) throw UsageError("--out: '' is not a file");
@@ -203,9 +279,11 @@ struct Parser {
                        options_of(command));
     if (before)
       throw UsageError("unknown command " + quoted(word) +
-                       ", must be check, hold, best, curve, view or paper");
+                       ", must be check, hold, best, curve, verify, view or paper");
     throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
-                     (command.get_name() == "paper" ? "no FILE" : "one FILE"));
+                     (command.get_name() == "paper"    ? "no FILE"
+                      : command.get_name() == "verify" ? "one FILE and one RESULT"
+                                                       : "one FILE"));
   }
 };
 

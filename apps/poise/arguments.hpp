@@ -1,16 +1,18 @@
 // What the user asked for.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "poise/posture.hpp"
 
 namespace poise {
 
-enum class Command { check, hold, best, curve, view, paper };
+enum class Command { check, hold, best, curve, verify, view, paper };
 
 /// What `paper` draws beside the paper's own figures; what is not given is that of Fig. 6.
 struct PaperArguments {
@@ -23,13 +25,20 @@ struct PaperArguments {
 struct Arguments {
   Command command{Command::check};
   std::string file{};
+  std::string result{};  ///< of `verify`: the JSON document to check
   bool json{false};
   std::optional<double> angle_deg{};  ///< in (-180, 180]
-  std::optional<Vector<2>> up{};      ///< as given: of any length but 0
+  std::vector<double> up{};           ///< as given: 2 or 3 numbers of any length but 0, or none
   std::optional<Domain> domain{};
-  double force_cap{1e6};              ///< [weights]
-  std::optional<std::string> plot{};  ///< the SVG file to draw
-  std::string page{};                 ///< the file to write the page to
+  double force_cap{1e6};  ///< [weights]
+  // Space.
+  std::optional<double> gap{};
+  std::optional<int> max_holds{};
+  std::optional<Vector<3>> tilt_from{};             ///< unit vector
+  std::optional<double> tilt_max_deg{};             ///< 0 to 90
+  std::optional<Eigen::Quaterniond> orientation{};  ///< object to world
+  std::optional<std::string> plot{};                ///< the SVG file to draw
+  std::string page{};                               ///< the file to write the page to
   PaperArguments paper{};
 };
 

@@ -7,10 +7,12 @@
 #include <string_view>
 
 #include "files/result.hpp"
+#include "files/spatial.hpp"
 #include "paper.hpp"
 #include "picture.hpp"
 #include "plot.hpp"
 #include "report.hpp"
+#include "verify.hpp"
 #include "view.hpp"
 
 namespace poise {
@@ -26,20 +28,27 @@ Style style_of_output() {
               isatty(STDOUT_FILENO) && variable("NO_COLOR").empty() && variable("TERM") != "dumb"};
 }
 
-Answer answer_hold(const Arguments& arguments, const GraspFile& file, const Grasp<2>& grasp) {
-  constexpr double degree = 3.14159265358979323846 / 180;
-  const double theta = arguments.up          ? angle_of(*arguments.up)
-                       : arguments.angle_deg ? *arguments.angle_deg * degree
-                                             : file.angle.value_or(0);
+constexpr double degree = 3.14159265358979323846 / 180;
+
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings)
+    std::fputs(("poise: " + warning + "\n").c_str(), stderr);
+}
+
+Answer answer_hold(const Arguments& arguments, const PlanarFile& file, const Grasp<2>& grasp) {
+  PostureOption option{.angle_deg = arguments.angle_deg};
+  if (!arguments.up.empty()) option.up = Vector<2>(arguments.up[0], arguments.up[1]);
+  const double theta = option.up          ? angle_of(*option.up)
+                       : option.angle_deg ? *option.angle_deg * degree
+                                          : file.angle.value_or(0);
   const HoldSettings settings{.force_cap = arguments.force_cap};
   const Hold<2> result = hold(grasp, up_at(theta), settings);
-  return {arguments.json ? hold_document(grasp, theta, result, settings,
-                                         {.angle_deg = arguments.angle_deg, .up = arguments.up})
+  return {arguments.json ? hold_document(grasp, theta, result, settings, option)
                          : hold_report(file, grasp, theta, result, style_of_output()),
           result.holdable};
 }
 
-Answer answer_best(const Arguments& arguments, const GraspFile& file, const Grasp<2>& grasp,
+Answer answer_best(const Arguments& arguments, const PlanarFile& file, const Grasp<2>& grasp,
                    const CurveSettings& settings) {
   const BestPosture best = best_posture(grasp, settings);
   return {arguments.json ? best_document(grasp, best, settings)
@@ -47,7 +56,7 @@ Answer answer_best(const Arguments& arguments, const GraspFile& file, const Gras
           best.holdable()};
 }
 
-Answer answer_curve(const Arguments& arguments, const GraspFile& file, const Grasp<2>& grasp,
+Answer answer_curve(const Arguments& arguments, const PlanarFile& file, const Grasp<2>& grasp,
                     const CurveSettings& settings) {
   const PostureCurve curve = posture_curve(grasp, settings);
   if (arguments.plot)
@@ -59,29 +68,116 @@ Answer answer_curve(const Arguments& arguments, const GraspFile& file, const Gra
   return answer;
 }
 
+Answer answer_in(const PlanarFile& file, const Arguments& arguments) {
+  for (const auto& [given, flag] : {std::pair(arguments.gap.has_value(), "--gap"),
+                                    {arguments.max_holds.has_value(), "--max-holds"},
+                                    {arguments.tilt_from.has_value(), "--tilt-from"},
+                                    {arguments.tilt_max_deg.has_value(), "--tilt-max"},
+                                    {arguments.orientation.has_value(), "--orientation"}})
+    if (given)
+      throw UsageError(std::string(flag) + ": is for space, " + arguments.file +
+                       " is in the plane (dimension 2)");
+  if (arguments.up.size() == 3)
+    throw UsageError("--up: has 3 numbers, must have 2: " + arguments.file +
+                     " is in the plane (dimension 2)");
+  const Grasp<2> grasp = file.grasp();
+  const CurveSettings settings{.domain = arguments.domain.value_or(file.domain),
+                               .force_cap = arguments.force_cap};
+  switch (arguments.command) {
+    case Command::check:
+      return {arguments.json ? check_document(file, grasp)
+                             : check_report(file, grasp, style_of_output())};
+    case Command::hold:
+      return answer_hold(arguments, file, grasp);
+    case Command::best:
+      return answer_best(arguments, file, grasp, settings);
+    case Command::view:
+      return {view(file, arguments.page)};
+    default:
+      return answer_curve(arguments, file, grasp, settings);
+  }
+}
+
+Answer answer_hold(const Arguments& arguments, const SpatialFile& file,
+                   const std::vector<Grasp<3>>& grasps) {
+  std::optional<Vector<3>> option;
+  if (!arguments.up.empty()) option = Vector<3>(arguments.up.data());
+  const Vector<3> up =
+      option ? option->stableNormalized() : file.up.value_or(Vector<3>(Vector<3>::UnitZ()));
+  const HoldSettings settings{.force_cap = arguments.force_cap};
+  const SpatialPosture posture = hold_all(grasps, up, settings);
+  return {arguments.json ? hold_document(grasps, posture, settings, option)
+                         : hold_report(file, grasps, posture, settings, style_of_output()),
+          posture.hold.holdable};
+}
+
+/// That of the file, or what the flags make of it.
+std::optional<Tilt> tilt_of(const Arguments& arguments, const SpatialFile& file) {
+  if (!arguments.tilt_from && !arguments.tilt_max_deg) return file.tilt;
+  if (!file.tilt && !arguments.tilt_max_deg)
+    throw UsageError("--tilt-from: needs --tilt-max, or a tilt in " + arguments.file);
+  if (!file.tilt && !arguments.tilt_from)
+    throw UsageError("--tilt-max: needs --tilt-from, or a tilt in " + arguments.file);
+  Tilt tilt = file.tilt.value_or(Tilt{});
+  if (arguments.tilt_from) tilt.from = *arguments.tilt_from;
+  if (arguments.tilt_max_deg) tilt.most = *arguments.tilt_max_deg * degree;
+  return tilt;
+}
+
+Answer answer_best(const Arguments& arguments, const SpatialFile& file,
+                   const std::vector<Grasp<3>>& grasps) {
+  SpatialSettings settings;
+  settings.force_cap = arguments.force_cap;
+  settings.gap = arguments.gap.value_or(settings.gap);
+  settings.max_holds = arguments.max_holds.value_or(settings.max_holds);
+  settings.tilt = tilt_of(arguments, file);
+  const Present present{arguments.orientation ? *arguments.orientation
+                        : file.up             ? orientation_of(*file.up)
+                                              : Eigen::Quaterniond::Identity(),
+                        arguments.orientation || file.up};
+  const BestSpatialPosture best = best_posture(grasps, settings);
+  return {arguments.json ? best_document(grasps, best, settings, present.orientation)
+                         : best_report(file, grasps, best, settings, present, style_of_output()),
+          best.best.has_value()};
+}
+
+Answer answer_in(const SpatialFile& file, const Arguments& arguments) {
+  const std::string in_space = arguments.file + " is in space (dimension 3)";
+  if (arguments.command == Command::curve)
+    throw UsageError("curve: is for the plane, " + in_space +
+                     ", where postures make no curve: ask for best");
+  if (arguments.command == Command::view)
+    throw UsageError("view: is for the plane, " + in_space + ", which the page does not show yet");
+  if (arguments.angle_deg)
+    throw UsageError("--angle: is for the plane, " + in_space + ": give --up X,Y,Z");
+  if (arguments.up.size() == 2) throw UsageError("--up: has 2 numbers, must have 3: " + in_space);
+  if (arguments.domain.value_or(Domain::all) == Domain::pinched)
+    throw UsageError("--domain: pinched is for the plane, " + in_space +
+                     ", where best_pinched is shown anyway");
+  const std::vector<Grasp<3>> grasps = file.grasps();
+  if (arguments.command == Command::check)
+    return {arguments.json ? check_document(file, grasps)
+                           : check_report(file, grasps, style_of_output())};
+  return arguments.command == Command::hold ? answer_hold(arguments, file, grasps)
+                                            : answer_best(arguments, file, grasps);
+}
+
 }  // namespace
 
 Answer answer(const Arguments& arguments) {
   if (arguments.command == Command::paper)
     return {paper(arguments.paper, arguments.json, style_of_output())};
-  const GraspFile file = read_grasp_file(arguments.file);
-  const Grasp<2> grasp = file.grasp();
-  if (arguments.command == Command::check)
-    return {arguments.json ? check_document(file, grasp)
-                           : check_report(file, grasp, style_of_output())};
-  for (const std::string& warning : file.warnings)
-    std::fputs(("poise: " + warning + "\n").c_str(), stderr);
-  if (arguments.command == Command::view) return {view(file, arguments.page)};
-  const CurveSettings settings{.domain = arguments.domain.value_or(file.domain),
-                               .force_cap = arguments.force_cap};
-  switch (arguments.command) {
-    case Command::hold:
-      return answer_hold(arguments, file, grasp);
-    case Command::best:
-      return answer_best(arguments, file, grasp, settings);
-    default:
-      return answer_curve(arguments, file, grasp, settings);
+  const GraspFile any = read_grasp_file(arguments.file);
+  if (arguments.command == Command::verify) {
+    const Verdict checked = verdict(any, arguments.result, arguments.json, style_of_output());
+    return {checked.text, checked.confirmed};
   }
+  return std::visit(
+      [&](const auto& file) {
+        if (arguments.command != Command::check) warn(file.warnings);
+        return answer_in(file, arguments);
+      },
+      any);
 }
 
 }  // namespace poise

@@ -9,7 +9,7 @@ namespace poise {
 
 struct Answer {
   std::string text;  ///< for standard output
-  bool holds{true};  ///< whether the object can be held (somewhere)
+  bool holds{true};  ///< whether the object can be held (somewhere), or the result is confirmed
 };
 
 /// @throws FileError for a bad grasp file, OutputError for a picture that cannot be drawn

@@ -82,7 +82,7 @@ void draw_optima(Script& script, const std::vector<Optimum>& optima) {
   }
 }
 
-void draw_curve(Script& script, const GraspFile& file, const Grasp<2>& grasp,
+void draw_curve(Script& script, const PlanarFile& file, const Grasp<2>& grasp,
                 const BestPosture& best, const CurveSettings& settings) {
   const PostureCurve& curve = best.curve;
   const auto lines = curve_lines(curve);
@@ -144,7 +144,7 @@ void draw_curve(Script& script, const GraspFile& file, const Grasp<2>& grasp,
 
 }  // namespace
 
-std::string picture(const GraspFile& file, const Grasp<2>& grasp, const BestPosture& best,
+std::string picture(const PlanarFile& file, const Grasp<2>& grasp, const BestPosture& best,
                     const CurveSettings& settings) {
   const PlanarPosture* posture = best.best_pinched();
   if (!posture && best.holdable()) posture = &best.best();

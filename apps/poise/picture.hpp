@@ -10,7 +10,7 @@ namespace poise {
 
 /// A gnuplot script that draws, as SVG on its standard output, the object as it hangs in its best
 /// pinched posture (or the best one) beside the curve of the force norm over all postures.
-std::string picture(const GraspFile& file, const Grasp<2>& grasp, const BestPosture& best,
+std::string picture(const PlanarFile& file, const Grasp<2>& grasp, const BestPosture& best,
                     const CurveSettings& settings);
 
 }  // namespace poise

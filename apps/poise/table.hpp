@@ -21,6 +21,14 @@ std::string wrapped(const std::string& words);
 
 /// A number with so many decimals, never -0.
 std::string fixed(double value, int decimals);
+/// A vector like (1.00, 0.00).
+template <class Vector>
+std::string vector_text(const Vector& vector, int decimals) {
+  std::string text;
+  for (const double value : vector.eval())
+    text += (text.empty() ? "(" : ", ") + fixed(value, decimals);
+  return text + ")";
+}
 /// Decimals that show the largest of some numbers with four digits.
 int decimals_for(double largest);
 /// A number with at least four digits and no exponent.

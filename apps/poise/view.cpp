@@ -33,7 +33,7 @@ std::string empty_page() {
 }
 
 /// The grasp as JSON that cannot end the script element it stands in, whatever its names are.
-std::string within_page(const GraspFile& file) {
+std::string within_page(const PlanarFile& file) {
   std::string text;
   for (const char c : grasp_document(file)) {
     if (c == '<')
@@ -46,7 +46,7 @@ std::string within_page(const GraspFile& file) {
 
 }  // namespace
 
-std::string view(const GraspFile& file, const std::string& page) {
+std::string view(const PlanarFile& file, const std::string& page) {
   std::string text = empty_page();
   const std::size_t at = text.find(std::string(before) + std::string(empty));
   if (at == std::string::npos) throw OutputError("the page has no place for a grasp");

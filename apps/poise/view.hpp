@@ -9,6 +9,6 @@ namespace poise {
 
 /// Writes the page with the grasp inside, and says so.
 /// @throws OutputError if it cannot be written, or the page is neither installed nor built
-std::string view(const GraspFile& file, const std::string& page);
+std::string view(const PlanarFile& file, const std::string& page);
 
 }  // namespace poise

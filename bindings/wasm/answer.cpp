@@ -11,18 +11,20 @@
 namespace poise {
 namespace {
 
-/// The value of a key as a document of its own: paths begin there, places stay those of the text.
+/// The value of a key that is there, as a document of its own: paths begin there, places stay those
+/// of the text.
 Document part(const Document& whole, const Mapping& mapping, std::string_view key) {
   for (const Member& member : mapping)
     if (member.key == key) return {std::string(key), whole.text, member.value};
   return {};
 }
 
-GraspFile read_grasp(const Document& request, const Field& root) {
+PlanarFile read_grasp(const Document& request, const Field& root) {
   const Field grasp = root.get("grasp", "a grasp file");
-  grasp.mapping({"poise", "dimension", "name", "safety", "angle_deg", "domain", "length_unit",
-                 "normals", "object", "contacts", "up", "tilt"});
-  return grasp_from(part(request, std::get<Mapping>(request.root.data), "grasp"));
+  const auto* mapping = std::get_if<Mapping>(&request.root.data);
+  const GraspFile file = grasp_from(part(request, *mapping, "grasp"));
+  if (const auto* planar = std::get_if<PlanarFile>(&file)) return *planar;
+  grasp.get("dimension", "2").fail("is 3, must be 2: answers in space are not here yet");
 }
 
 std::string answer(const Document& request) {
@@ -30,7 +32,7 @@ std::string answer(const Document& request) {
   root.mapping({"command", "grasp", "angle_deg", "domain", "force_cap"});
   const std::string& command =
       root.get("command", "check, hold, best or curve").word({"check", "hold", "best", "curve"});
-  const GraspFile file = read_grasp(request, root);
+  const PlanarFile file = read_grasp(request, root);
   const Grasp<2> grasp = file.grasp();
 
   CurveSettings settings{.domain = file.domain};

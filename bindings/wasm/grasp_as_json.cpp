@@ -1,4 +1,4 @@
-// Prints a grasp file as JSON, for places where there is no YAML: the page and its tests.
+// Prints a planar grasp file as JSON, for places where there is no YAML: the page and its tests.
 #include <cstdio>
 
 #include "files/grasp_writer.hpp"
@@ -6,7 +6,8 @@
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   try {
-    std::fputs(poise::grasp_document(poise::read_grasp_file(argv[1])).c_str(), stdout);
+    const poise::GraspFile file = poise::read_grasp_file(argv[1]);
+    std::fputs(poise::grasp_document(std::get<poise::PlanarFile>(file)).c_str(), stdout);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

@@ -60,12 +60,25 @@ void Field::must_be(const std::string& expected) const {
 }
 
 double Field::number() const {
+  const double number = finite();
+  if (!std::isfinite(number * number)) must_be("within 1.3e154, or its square overflows");
+  return number;
+}
+
+double Field::finite() const {
   const auto* number = std::get_if<double>(&value_->data);
   if (!number) must_be("a number");
   if (!std::isfinite(*number)) must_be("a finite number");
-  if (!std::isfinite(*number * *number)) must_be("within 1.3e154, or its square overflows");
   return *number;
 }
+
+bool Field::truth() const {
+  const auto* truth = std::get_if<bool>(&value_->data);
+  if (!truth) must_be("true or false");
+  return *truth;
+}
+
+bool Field::is_null() const { return std::holds_alternative<std::monostate>(value_->data); }
 
 const std::string& Field::text() const {
   const auto* text = std::get_if<std::string>(&value_->data);
@@ -94,12 +107,12 @@ std::vector<Field> Field::list() const {
   return fields;
 }
 
-const Mapping& Field::mapping(std::initializer_list<std::string_view> known,
-                              std::initializer_list<std::string_view> of_space) const {
+const Mapping& Field::mapping(const Keys& known, const Keys& elsewhere,
+                              const std::string& why) const {
   const auto* members = std::get_if<Mapping>(&value_->data);
   if (!members) must_be("a mapping (keys: " + joined(known, ", ") + ")");
-  std::vector<std::string_view> keys(known);
-  keys.insert(keys.end(), of_space.begin(), of_space.end());
+  Keys keys(known);
+  keys.insert(keys.end(), elsewhere.begin(), elsewhere.end());
   std::vector<const Member*> seen(keys.size());
   for (const Member& member : *members) {
     const auto key = std::find(keys.begin(), keys.end(), member.key);
@@ -112,8 +125,7 @@ const Mapping& Field::mapping(std::initializer_list<std::string_view> known,
       fail_at(member.at, path_of(shown(member.key)),
               "is not a known key, the nearest is " + std::string(*nearest));
     }
-    if (k >= known.size())
-      fail_at(member.at, path_of(member.key), "belongs to space (dimension 3), not to the plane");
+    if (k >= known.size()) fail_at(member.at, path_of(member.key), why);
     if (seen[k])
       fail_at(
           member.at, path_of(member.key),

@@ -13,6 +13,12 @@
 
 namespace poise {
 
+/// How a point or direction is written.
+template <int Dim>
+inline constexpr const char* coordinates = Dim == 2 ? "[x, y]" : "[x, y, z]";
+
+using Keys = std::vector<std::string_view>;
+
 /// A value within a document, which must outlive it. All its functions throw FileError.
 class Field {
  public:
@@ -22,6 +28,10 @@ class Field {
 
   /// The number: finite, and its square too.
   double number() const;
+  /// The number: finite.
+  double finite() const;
+  bool truth() const;
+  bool is_null() const;
   /// A line of text, not empty.
   const std::string& text() const;
   /// One of these words.
@@ -30,10 +40,10 @@ class Field {
   Vector<Dim> vector() const;
   std::vector<Field> list() const;
 
-  /// A mapping all of whose keys are `known` and come once. Those `of_space` are known too, but of
-  /// no use in the plane.
-  const Mapping& mapping(std::initializer_list<std::string_view> known,
-                         std::initializer_list<std::string_view> of_space = {}) const;
+  /// A mapping all of whose keys are `known` and come once. Those of `elsewhere` are known too, but
+  /// out of place here; `why` says so.
+  const Mapping& mapping(const Keys& known, const Keys& elsewhere = {},
+                         const std::string& why = "") const;
   /// The value of a key of a mapping, if it is there.
   std::optional<Field> find(std::string_view key) const;
   /// The value of a key that must be there.
@@ -66,9 +76,8 @@ class Field {
 
 template <int Dim>
 Vector<Dim> Field::vector() const {
-  static const std::string expected = Dim == 2 ? "[x, y]" : "[x, y, z]";
   const auto* parts = std::get_if<List>(&value_->data);
-  if (!parts || parts->size() != Dim) must_be(expected);
+  if (!parts || parts->size() != Dim) must_be(coordinates<Dim>);
   Vector<Dim> result;
   for (std::size_t k = 0; k < Dim; ++k)
     result[static_cast<Eigen::Index>(k)] = part((*parts)[k], k).number();

@@ -25,11 +25,23 @@ void check_version(const Field& root) {
 }
 
 int read_dimension(const Field& root) {
-  const Field dimension = root.get("dimension", "2 (the plane)");
+  const std::string expected = "2 (the plane) or 3 (space)";
+  const Field dimension = root.get("dimension", expected);
   const double value = dimension.number();
-  if (value == 3) dimension.fail("is 3, this version reads the plane only, must be 2");
-  if (value != 2) dimension.fail("is " + number_text(value) + ", must be 2 (the plane)");
-  return 2;
+  if (value != 2 && value != 3)
+    dimension.fail("is " + number_text(value) + ", must be " + expected);
+  return static_cast<int>(value);
+}
+
+/// A mapping with keys of both dimensions and of its own; those of the other are refused as such.
+template <int Dim>
+const Mapping& check_keys(const Field& field, Keys keys, const Keys& of_plane,
+                          const Keys& of_space) {
+  const Keys& own = Dim == 2 ? of_plane : of_space;
+  keys.insert(keys.end(), own.begin(), own.end());
+  return field.mapping(keys, Dim == 2 ? of_space : of_plane,
+                       Dim == 2 ? "belongs to space (dimension 3), not to the plane"
+                                : "belongs to the plane (dimension 2), not to space");
 }
 
 /// The length unit of the file [m].
@@ -40,33 +52,49 @@ double read_unit(const Field& root) {
   return name == "m" ? 1 : name == "cm" ? 0.01 : name == "mm" ? 0.001 : 0.0254;
 }
 
-/// The shape in the unit of the file.
-Shape read_shape(const Field& field) {
-  const Mapping& kinds = field.mapping({"disk", "ellipse", "polygon"},
-                                       {"mesh", "box", "cylinder", "sphere", "ellipsoid"});
-  if (kinds.size() != 1)
-    field.fail("has " + std::to_string(kinds.size()) +
-               " kinds, must have one: disk, ellipse or polygon");
-  Shape shape;
+/// The shape that a field with one key spells, in the unit of the file.
+template <int Dim>
+ShapeOf<Dim> read_kind(const Field& field);
+
+template <>
+Shape read_kind<2>(const Field& field) {
   if (const auto disk = field.find("disk")) {
     disk->mapping({"radius"});
-    shape = Disk{disk->get("radius", "a length").number()};
-  } else if (const auto ellipse = field.find("ellipse")) {
+    return Disk{disk->get("radius", "a length").number()};
+  }
+  if (const auto ellipse = field.find("ellipse")) {
     ellipse->mapping({"radii"});
-    shape = Ellipse{ellipse->get("radii", "[a, b]").vector<2>()};
-  } else {
-    Polygon polygon;
-    for (const Field& vertex : field.get("polygon", "a list of points").list())
-      polygon.vertices.push_back(vertex.vector<2>());
-    shape = std::move(polygon);
+    return Ellipse{ellipse->get("radii", "[a, b]").vector<2>()};
   }
-  try {
-    check(shape);
-  } catch (const InvalidShape& error) {
-    throw FileError(field.file(), field.follow(error.path()).place(),
-                    field.path() + "." + error.path(), error.problem());
+  Polygon polygon;
+  for (const Field& vertex : field.get("polygon", "a list of points").list())
+    polygon.vertices.push_back(vertex.vector<2>());
+  return polygon;
+}
+
+template <>
+Solid read_kind<3>(const Field& field) {
+  if (const auto box = field.find("box")) {
+    box->mapping({"size"});
+    return Box{box->get("size", "[x, y, z]").vector<3>()};
   }
-  return shape;
+  if (const auto cylinder = field.find("cylinder")) {
+    cylinder->mapping({"radius", "height"});
+    return Cylinder{cylinder->get("radius", "a length").number(),
+                    cylinder->get("height", "a length").number()};
+  }
+  if (const auto sphere = field.find("sphere")) {
+    sphere->mapping({"radius"});
+    return Sphere{sphere->get("radius", "a length").number()};
+  }
+  if (const auto ellipsoid = field.find("ellipsoid")) {
+    ellipsoid->mapping({"radii"});
+    return Ellipsoid{ellipsoid->get("radii", "[a, b, c]").vector<3>()};
+  }
+  field.get("mesh", "a file")
+      .fail(
+          "meshes are not read yet, must be a box, cylinder, sphere or ellipsoid; or leave the "
+          "shape out, and give com and normals");
 }
 
 Shape scaled(Shape shape, double unit) {
@@ -77,6 +105,34 @@ Shape scaled(Shape shape, double unit) {
   return shape;
 }
 
+Solid scaled(Solid solid, double unit) {
+  if (auto* box = std::get_if<Box>(&solid)) box->size *= unit;
+  if (auto* cylinder = std::get_if<Cylinder>(&solid)) {
+    cylinder->radius *= unit;
+    cylinder->height *= unit;
+  }
+  if (auto* sphere = std::get_if<Sphere>(&solid)) sphere->radius *= unit;
+  if (auto* ellipsoid = std::get_if<Ellipsoid>(&solid)) ellipsoid->radii *= unit;
+  return solid;
+}
+
+template <int Dim>
+ShapeOf<Dim> read_shape(const Field& field, double unit) {
+  const Mapping& kinds = check_keys<Dim>(field, {}, {"disk", "ellipse", "polygon"},
+                                         {"box", "cylinder", "sphere", "ellipsoid", "mesh"});
+  if (kinds.size() != 1)
+    field.fail("has " + std::to_string(kinds.size()) + " kinds, must have one: " +
+               (Dim == 2 ? "disk, ellipse or polygon" : "box, cylinder, sphere or ellipsoid"));
+  const ShapeOf<Dim> shape = read_kind<Dim>(field);
+  try {
+    check(shape);
+  } catch (const InvalidShape& error) {
+    throw FileError(field.file(), field.follow(error.path()).place(),
+                    field.path() + "." + error.path(), error.problem());
+  }
+  return scaled(shape, unit);
+}
+
 double read_weight(const Field& object) {
   const auto weight = object.find("weight"), mass = object.find("mass");
   if (weight && mass) mass->fail("is given as well as weight, must be one of them");
@@ -85,18 +141,59 @@ double read_weight(const Field& object) {
   mass->fail("is " + number_text(mass->number()) + ", must be above 0");
 }
 
-Contact<2> read_contact(const Field& field, double unit, bool outward,
-                        const std::optional<Shape>& shape) {
-  field.mapping({"position", "normal", "friction", "min_normal", "max_normal", "share", "finger"},
-                {"torsion"});
-  Contact<2> contact;
-  const Field position = field.get("position", "[x, y]");
-  contact.position = unit * position.vector<2>();
+/// Weight and centre of mass.
+template <int Dim>
+Object<Dim> read_object(const Field& field, double unit, const std::optional<ShapeOf<Dim>>& shape) {
+  Object<Dim> object{.weight = read_weight(field)};
+  if (const auto com = field.find("com"); com || !shape)
+    object.com = unit * field.get("com", std::string(coordinates<Dim>) + ", as there is no shape")
+                            .template vector<Dim>();
+  else
+    object.com = centroid(*shape);
+  return object;
+}
+
+std::vector<Object<3>> read_scenarios(const Field& object, double unit,
+                                      const std::optional<Solid>& shape) {
+  const auto list = object.find("scenarios");
+  if (!list) return {read_object<3>(object, unit, shape)};
+  for (const char* key : {"weight", "mass", "com"})
+    if (const auto field = object.find(key))
+      field->fail("is given beside scenarios, must be given in each of them");
+  std::vector<Object<3>> scenarios;
+  for (const Field& scenario : list->list()) {
+    scenario.mapping({"weight", "mass", "com"});
+    scenarios.push_back(read_object<3>(scenario, unit, shape));
+  }
+  if (scenarios.empty()) list->fail("is empty, must hold at least one scenario");
+  return scenarios;
+}
+
+double read_torsion(const Field& field, double friction) {
+  const double torsion = field.number();
+  if (!(torsion >= 0)) field.fail("is " + number_text(torsion) + ", must be at least 0");
+  if (torsion > 0 && friction == 0)
+    field.fail("is given for a frictionless contact, must be left out, or give friction above 0");
+  return torsion;
+}
+
+template <int Dim>
+Contact<Dim> read_contact(const Field& field, double unit, bool outward,
+                          const std::optional<ShapeOf<Dim>>& shape) {
+  check_keys<Dim>(field,
+                  {"position", "normal", "friction", "min_normal", "max_normal", "share", "finger"},
+                  {}, {"torsion"});
+  Contact<Dim> contact;
+  const Field position = field.get("position", coordinates<Dim>);
+  contact.position = unit * position.template vector<Dim>();
   contact.friction = field.get("friction", "a number").number();
   if (const auto least = field.find("min_normal")) contact.min_normal = least->number();
   if (const auto most = field.find("max_normal")) contact.max_normal = most->number();
   if (const auto share = field.find("share")) contact.share = share->number();
   if (const auto finger = field.find("finger")) contact.finger = finger->text();
+  if constexpr (Dim == 3)
+    if (const auto torsion = field.find("torsion"))
+      contact.torsion = unit * read_torsion(*torsion, contact.friction);
   if (shape && !field.find("normal")) {
     try {
       contact.normal = inward_normal(*shape, contact.position);
@@ -104,52 +201,117 @@ Contact<2> read_contact(const Field& field, double unit, bool outward,
       position.fail(error.what());
     }
   } else {
-    const Vector<2> normal = field.get("normal", "[x, y], as there is no shape").vector<2>();
+    const Vector<Dim> normal =
+        field.get("normal", std::string(coordinates<Dim>) + ", as there is no shape")
+            .template vector<Dim>();
     contact.normal = outward ? -normal : normal;
   }
   return contact;
 }
 
+/// A unit vector.
+Vector<3> read_direction(const Field& field) {
+  const Vector<3> direction = field.vector<3>();
+  if (!(direction.stableNorm() > 0)) field.fail("has no length, must be a direction");
+  return direction.stableNormalized();
+}
+
+Tilt read_tilt(const Field& field) {
+  field.mapping({"max_deg", "from"});
+  const Vector<3> from = read_direction(field.get("from", "[x, y, z]"));
+  const Field most = field.get("max_deg", "an angle in degrees");
+  if (const double degrees = most.number(); degrees >= 0 && degrees <= 90)
+    return {from, radians(degrees)};
+  most.fail("is " + number_text(most.number()) + ", must be from 0 to 90");
+}
+
+template <int Dim>
+void read_head(const Field& root, CommonFile<Dim>& file) {
+  check_keys<Dim>(root,
+                  {"poise", "dimension", "name", "safety", "domain", "length_unit", "normals",
+                   "object", "contacts"},
+                  {"angle_deg"}, {"up", "tilt"});
+  if (const auto name = root.find("name")) file.name = name->text();
+  if (const auto safety = root.find("safety")) file.safety = safety->number();
+}
+
+template <int Dim>
+Field read_shape_of_object(const Field& root, double unit, CommonFile<Dim>& file) {
+  const Field object = root.get("object", "a mapping");
+  check_keys<Dim>(object, {"weight", "mass", "com", "shape"}, {}, {"scenarios"});
+  if (const auto shape = object.find("shape")) file.shape = read_shape<Dim>(*shape, unit);
+  return object;
+}
+
+template <int Dim>
+void read_contacts(const Field& root, double unit, CommonFile<Dim>& file) {
+  const auto normals = root.find("normals");
+  const bool outward = normals && normals->word({"inward", "outward"}) == "outward";
+  for (const Field& contact : root.get("contacts", "a list").list())
+    file.contacts.push_back(read_contact<Dim>(contact, unit, outward, file.shape));
+}
+
+/// The grasp of an object, which is written at `object_path`, by the contacts of a file.
+template <int Dim>
+Grasp<Dim> checked_grasp(const Field& root, const Object<Dim>& object,
+                         const std::string& object_path, const CommonFile<Dim>& file) {
+  try {
+    return {object, file.contacts, file.safety};
+  } catch (const InvalidGrasp& error) {
+    std::string path = error.path();
+    if (const std::string own = "object"; path.starts_with(own + "."))
+      path.replace(0, own.size(), object_path);
+    throw FileError(root.file(), root.follow(path).place(), path, error.problem());
+  }
+}
+
+PlanarFile read_planar(const Field& root) {
+  PlanarFile file;
+  read_head<2>(root, file);
+  if (const auto angle = root.find("angle_deg")) file.angle = radians(angle->number());
+  if (const auto domain = root.find("domain"))
+    file.domain = domain->word({"all", "pinched"}) == "all" ? Domain::all : Domain::pinched;
+  const double unit = read_unit(root);
+  const Field object = read_shape_of_object<2>(root, unit, file);
+  file.object = read_object<2>(object, unit, file.shape);
+  read_contacts<2>(root, unit, file);
+  file.warnings = doubts<2>(file, {checked_grasp<2>(root, file.object, "object", file)}, root);
+  return file;
+}
+
+SpatialFile read_spatial(const Field& root) {
+  SpatialFile file;
+  read_head<3>(root, file);
+  if (const auto up = root.find("up")) file.up = read_direction(*up);
+  if (const auto tilt = root.find("tilt")) file.tilt = read_tilt(*tilt);
+  if (const auto domain = root.find("domain"); domain && domain->word({"all", "pinched"}) != "all")
+    domain->fail("pinched is for the plane, must be all: best_pinched is shown anyway");
+  const double unit = read_unit(root);
+  const Field object = read_shape_of_object<3>(root, unit, file);
+  file.scenarios = read_scenarios(object, unit, file.shape);
+  read_contacts<3>(root, unit, file);
+  std::vector<Grasp<3>> grasps;
+  for (std::size_t k = 0; k < file.scenarios.size(); ++k)
+    grasps.push_back(checked_grasp<3>(root, file.scenarios[k], object_path(root, k), file));
+  file.warnings = doubts<3>(file, grasps, root);
+  return file;
+}
+
 }  // namespace
+
+std::vector<Grasp<3>> SpatialFile::grasps() const {
+  std::vector<Grasp<3>> all;
+  for (const Object<3>& object : scenarios) all.emplace_back(object, contacts, safety);
+  return all;
+}
 
 GraspFile grasp_from(const Document& document) {
   const Field root(document);
   if (std::holds_alternative<std::monostate>(document.root.data))
     throw FileError(document.file, {}, "", "is empty, must be a grasp file");
   check_version(root);
-  GraspFile file;
-  file.dimension = read_dimension(root);
-  root.mapping({"poise", "dimension", "name", "safety", "angle_deg", "domain", "length_unit",
-                "normals", "object", "contacts"},
-               {"up", "tilt"});
-  if (const auto name = root.find("name")) file.name = name->text();
-  if (const auto safety = root.find("safety")) file.safety = safety->number();
-  if (const auto angle = root.find("angle_deg")) file.angle = radians(angle->number());
-  if (const auto domain = root.find("domain"))
-    file.domain = domain->word({"all", "pinched"}) == "all" ? Domain::all : Domain::pinched;
-  const double unit = read_unit(root);
-  const auto normals = root.find("normals");
-  const bool outward = normals && normals->word({"inward", "outward"}) == "outward";
-
-  const Field object = root.get("object", "a mapping");
-  object.mapping({"weight", "mass", "com", "shape"}, {"scenarios"});
-  file.object.weight = read_weight(object);
-  if (const auto shape = object.find("shape")) file.shape = scaled(read_shape(*shape), unit);
-  if (const auto com = object.find("com"); com || !file.shape)
-    file.object.com = unit * object.get("com", "[x, y], as there is no shape").vector<2>();
-  else
-    file.object.com = centroid(*file.shape);
-
-  for (const Field& contact : root.get("contacts", "a list").list())
-    file.contacts.push_back(read_contact(contact, unit, outward, file.shape));
-
-  try {
-    file.warnings = doubts(file, file.grasp(), root);
-  } catch (const InvalidGrasp& error) {
-    throw FileError(document.file, root.follow(error.path()).place(), error.path(),
-                    error.problem());
-  }
-  return file;
+  if (read_dimension(root) == 2) return read_planar(root);
+  return read_spatial(root);
 }
 
 GraspFile grasp_from_json(std::string text, const std::string& file) {

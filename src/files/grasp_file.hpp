@@ -3,29 +3,49 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "files/file_error.hpp"
+#include "poise/best_spatial_posture.hpp"
 #include "poise/posture.hpp"
 #include "shape/shape.hpp"
 
 namespace poise {
 
-/// A grasp file, read and checked. All in SI units and in the object frame; normals point inwards.
-struct GraspFile {
+/// What grasp files of the plane and of space have in common. All in SI units and in the object
+/// frame; normals point inwards.
+template <int Dim>
+struct CommonFile {
   std::string name{};
-  int dimension{2};
   double safety{1};
-  std::optional<double> angle{};  ///< theta of the posture in which it is held now [rad]
-  Domain domain{Domain::all};
-  std::optional<Shape> shape{};
-  Object<2> object{};
-  std::vector<Contact<2>> contacts{};
+  std::optional<ShapeOf<Dim>> shape{};
+  std::vector<Contact<Dim>> contacts{};
   /// What is allowed but looks like a mistake: whole lines, "FILE:LINE:COLUMN: path: words".
   std::vector<std::string> warnings{};
-
-  Grasp<2> grasp() const { return Grasp<2>(object, contacts, safety); }
 };
+
+/// dimension: 2
+struct PlanarFile : CommonFile<2> {
+  Object<2> object{};
+  std::optional<double> angle{};  ///< theta of the posture in which it is held now [rad]
+  Domain domain{Domain::all};
+
+  Grasp<2> grasp() const { return {object, contacts, safety}; }
+};
+
+/// dimension: 3
+struct SpatialFile : CommonFile<3> {
+  std::vector<Object<3>> scenarios{};  ///< what the object may be: one, unless the file has several
+  std::optional<Vector<3>> up{};       ///< the posture in which it is held now
+  std::optional<Tilt> tilt{};          ///< the postures to choose from; none: all
+
+  /// One for each scenario.
+  std::vector<Grasp<3>> grasps() const;
+};
+
+/// A grasp file, read and checked.
+using GraspFile = std::variant<PlanarFile, SpatialFile>;
 
 /// Reads a file, YAML or JSON; "-" is standard input.
 /// @throws FileError

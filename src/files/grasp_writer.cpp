@@ -36,8 +36,8 @@ Json contact_value(const Contact<2>& contact) {
 
 }  // namespace
 
-std::string grasp_document(const GraspFile& file) {
-  Json result = {{"poise", 1}, {"dimension", file.dimension}};
+std::string grasp_document(const PlanarFile& file) {
+  Json result = {{"poise", 1}, {"dimension", 2}};
   if (!file.name.empty()) result["name"] = file.name;
   if (file.safety != 1) result["safety"] = file.safety;
   if (file.angle) result["angle_deg"] = degrees(*file.angle);

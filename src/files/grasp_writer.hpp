@@ -6,7 +6,7 @@
 
 namespace poise {
 
-/// The grasp as a grasp file in JSON, in SI units; reading it gives the same grasp.
-std::string grasp_document(const GraspFile& file);
+/// A planar grasp as a grasp file in JSON, in SI units; reading it gives the same grasp.
+std::string grasp_document(const PlanarFile& file);
 
 }  // namespace poise

@@ -156,8 +156,8 @@ class Reader {
 
 }  // namespace
 
-Document parse_json(std::string text, const std::string& file) {
-  Document document = open_document(std::move(text), file);
+Document parse_json(std::string text, const std::string& file, std::size_t most) {
+  Document document = open_document(std::move(text), file, most);
   Reader(document).read();
   return document;
 }

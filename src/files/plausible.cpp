@@ -28,72 +28,97 @@ class Doubts {
   const Field& root_;
 };
 
-void check_units(Doubts& doubts, const Grasp<2>& grasp, bool has_mass) {
-  const double weight = grasp.object().weight, radius = grasp.radius();
+template <int Dim>
+void check_weight(Doubts& doubts, const Grasp<Dim>& grasp, const Field& object) {
+  const double weight = grasp.object().weight;
   if (weight < 1e-4 || weight > 1e5)
-    doubts.add(has_mass ? "object.mass" : "object.weight",
+    doubts.add(object.path() + (object.find("mass") ? ".mass" : ".weight"),
                "makes a weight of " + number_text(weight, 3) +
                    " N: is the unit right (weight in N, mass in kg)?");
-  if (radius < 1e-4 || radius > 5)
+}
+
+template <int Dim>
+void check_radius(Doubts& doubts, const Grasp<Dim>& grasp) {
+  if (const double radius = grasp.radius(); radius < 1e-4 || radius > 5)
     doubts.add("contacts", "the farthest is " + number_text(radius, 3) +
                                " m from the centre of mass: is length_unit right?");
 }
 
-void check_com(Doubts& doubts, const Vector<2>& com, const Shape& shape) {
-  const std::vector<Vector<2>> line = outline(shape);
-  Vector<2> lower = line.front(), upper = lower;
-  for (const auto& point : line) {
-    lower = lower.cwiseMin(point);
-    upper = upper.cwiseMax(point);
-  }
-  if ((com.array() < lower.array()).any() || (com.array() > upper.array()).any())
-    doubts.add("object.com", "lies outside the shape");
+template <int Dim>
+void check_com(Doubts& doubts, const Vector<Dim>& com, const ShapeOf<Dim>& shape,
+               const std::string& object) {
+  if (!bounds(shape).contains(com)) doubts.add(object + ".com", "lies outside the shape");
 }
 
 /// A normal that is written in the file, against the shape, or else against the centre of mass.
-void check_normal(Doubts& doubts, const std::string& contact, const GraspFile& file,
-                  const Vector<2>& position, const Vector<2>& normal) {
-  if (file.shape) {
-    const Boundary b = boundary(*file.shape, position);
-    if (b.distance > boundary_tolerance * size(*file.shape)) {
-      doubts.add(contact + ".position",
+template <int Dim>
+void check_normal(Doubts& doubts, const std::string& path, const std::optional<ShapeOf<Dim>>& shape,
+                  const Contact<Dim>& contact, const Vector<Dim>& com) {
+  if (shape) {
+    const Boundary<Dim> b = boundary(*shape, contact.position);
+    if (b.distance > boundary_tolerance * size(*shape)) {
+      doubts.add(path + ".position",
                  "is " + number_text(b.distance, 3) + " m from the boundary of the shape");
-    } else if (!b.corner) {
-      const double angle = std::acos(std::clamp(b.normal.dot(normal), -1.0, 1.0)) / degree;
+    } else if (b.corner.empty()) {
+      const double angle = std::acos(std::clamp(b.normal.dot(contact.normal), -1.0, 1.0)) / degree;
       if (angle > 5)
-        doubts.add(contact + ".normal", "is " + number_text(angle, 3) +
-                                            " degrees away from the inward normal of the shape");
+        doubts.add(path + ".normal", "is " + number_text(angle, 3) +
+                                         " degrees away from the inward normal of the shape");
       return;
     }
   }
-  if (normal.dot(file.object.com - position) < 0)
-    doubts.add(contact + ".normal",
+  if (contact.normal.dot(com - contact.position) < 0)
+    doubts.add(path + ".normal",
                "points away from the centre of mass: if it points out of the object, write "
                "normals: outward");
 }
 
 }  // namespace
 
-std::vector<std::string> doubts(const GraspFile& file, const Grasp<2>& grasp, const Field& root) {
-  Doubts doubts(root);
-  check_units(doubts, grasp, root.follow("object").find("mass").has_value());
-  if (file.shape) check_com(doubts, file.object.com, *file.shape);
+std::string object_path(const Field& root, std::size_t scenario) {
+  return root.follow("object").find("scenarios")
+             ? "object.scenarios[" + std::to_string(scenario) + "]"
+             : "object";
+}
 
-  std::map<std::pair<double, double>, std::size_t> positions;
+template <int Dim>
+std::vector<std::string> doubts(const CommonFile<Dim>& file, const std::vector<Grasp<Dim>>& grasps,
+                                const Field& root) {
+  Doubts doubts(root);
+  const Grasp<Dim>& grasp = grasps.front();
+  for (std::size_t k = 0; k < grasps.size(); ++k)
+    check_weight(doubts, grasps[k], root.follow(object_path(root, k)));
+  check_radius(doubts, grasp);
+  for (std::size_t k = 0; k < grasps.size() && file.shape; ++k)
+    check_com<Dim>(doubts, grasps[k].object().com, *file.shape, object_path(root, k));
+
+  std::map<std::vector<double>, std::size_t> positions;
   for (std::size_t i = 0; i < file.contacts.size(); ++i) {
-    const std::string contact = "contacts[" + std::to_string(i) + "]";
-    const Contact<2>& c = grasp.contacts()[i];
-    if (root.follow(contact).find("normal"))
-      check_normal(doubts, contact, file, c.position, c.normal);
+    const std::string path = "contacts[" + std::to_string(i) + "]";
+    const Contact<Dim>& contact = grasp.contacts()[i];
+    if (root.follow(path).find("normal"))
+      check_normal<Dim>(doubts, path, file.shape, contact, grasp.object().com);
     if (file.contacts[i].friction > 3)
-      doubts.add(contact + ".friction", "is " + number_text(file.contacts[i].friction) +
-                                            ", uncommonly high: is it an angle?");
-    const auto [first, is_new] = positions.try_emplace({c.position.x(), c.position.y()}, i);
+      doubts.add(path + ".friction", "is " + number_text(file.contacts[i].friction) +
+                                         ", uncommonly high: is it an angle?");
+    if constexpr (Dim == 3)
+      if (grasp.radius() > 0 && file.contacts[i].torsion > grasp.radius())
+        doubts.add(path + ".torsion",
+                   "is " + number_text(file.contacts[i].torsion, 3) +
+                       " m, more than the size of the grasp: it is a length, about the size of "
+                       "the touching area");
+    const Vector<Dim>& at = contact.position;
+    const auto [first, is_new] = positions.try_emplace({at.begin(), at.end()}, i);
     if (!is_new)
-      doubts.add(contact + ".position",
+      doubts.add(path + ".position",
                  "is the same as that of contacts[" + std::to_string(first->second) + "]");
   }
   return doubts.lines;
 }
+
+template std::vector<std::string> doubts<2>(const CommonFile<2>&, const std::vector<Grasp<2>>&,
+                                            const Field&);
+template std::vector<std::string> doubts<3>(const CommonFile<3>&, const std::vector<Grasp<3>>&,
+                                            const Field&);
 
 }  // namespace poise

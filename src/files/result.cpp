@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files/json_text.hpp"
+#include "files/spatial.hpp"
 
 namespace poise {
 namespace {
@@ -38,27 +39,36 @@ Json document(const char* command, Json options) {
   return {{"poise_result", 1}, {"command", command}, {"options", std::move(options)}};
 }
 
-Json contacts(const Grasp<2>& grasp, const Hold<2>& hold) {
+template <int Dim>
+Json contacts(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
   Json result = Json::array();
   for (std::size_t i = 0; i < hold.forces.size(); ++i) {
-    const Contact<2>& contact = grasp.contacts()[i];
-    const ContactForce<2>& force = hold.forces[i];
-    result.push_back({{"finger", contact.finger},
-                      {"friction_used", number(force.friction_used)},
-                      {"normal_force", number(force.normal)},
-                      {"tangential_force", number(force.tangential)},
-                      {"force", list(force_vector(contact, force))},
-                      {"state", to_string(force.state)},
-                      {"limit", to_string(force.limit)}});
+    const Contact<Dim>& contact = grasp.contacts()[i];
+    const ContactForce<Dim>& force = hold.forces[i];
+    Json entry = {{"finger", contact.finger},
+                  {"friction_used", number(force.friction_used)},
+                  {"normal_force", number(force.normal)}};
+    if constexpr (Dim == 2) {
+      entry["tangential_force"] = number(force.tangential);
+    } else {
+      entry["tangential_force"] = force.tangential.norm();
+      if (contact.torsion > 0) entry["torsion_moment"] = number(force.torsion_moment);
+    }
+    entry["force"] = list(force_vector(contact, force));
+    entry["state"] = to_string(force.state);
+    entry["limit"] = to_string(force.limit);
+    result.push_back(std::move(entry));
   }
   return result;
 }
 
-void add_hold(Json& result, const Grasp<2>& grasp, double theta, const Hold<2>& hold) {
-  const Vector<2> up = up_at(theta);
+/// A hold in a posture, whose own keys are given.
+template <int Dim>
+void add_hold(Json& result, const Grasp<Dim>& grasp, const Vector<Dim>& up, const Json& posture,
+              const Hold<Dim>& hold) {
   result["holdable"] = hold.holdable;
   result["up"] = list(up);
-  result["angle_deg"] = degrees(theta);
+  result.update(posture);
   result["dual"] = list(hold.dual);
   result["lower_bound"] = number(hold.lower_bound);
   if (!hold.holdable) {
@@ -78,6 +88,22 @@ void add_hold(Json& result, const Grasp<2>& grasp, double theta, const Hold<2>& 
                                  {"normal_force", number(fingers[k].normal)},
                                  {"force", list(fingers[k].force)}});
   result["contacts"] = contacts(grasp, hold);
+}
+
+void add_hold(Json& result, const Grasp<2>& grasp, double theta, const Hold<2>& hold) {
+  add_hold<2>(result, grasp, up_at(theta), {{"angle_deg", degrees(theta)}}, hold);
+}
+
+/// The hold of the scenario that decides, and the efforts of all; null where one cannot be held.
+void add_hold(Json& result, const std::vector<Grasp<3>>& grasps, const SpatialPosture& posture) {
+  Json scenario = Json::object();
+  if (grasps.size() > 1) {
+    scenario["scenario"] = posture.scenario;
+    scenario["scenario_efforts"] = Json::array();
+    for (const double effort : posture.scenario_efforts)
+      scenario["scenario_efforts"].push_back(std::isfinite(effort) ? Json(number(effort)) : Json());
+  }
+  add_hold<3>(result, grasps[posture.scenario], posture.up, scenario, posture.hold);
 }
 
 /// An optimum; in `curve`, where there are minima and maxima, with its type.
@@ -148,6 +174,57 @@ Json shape_value(const Shape& shape) {
   return {{"polygon", std::move(vertices)}};
 }
 
+Json shape_value(const Solid& solid) {
+  if (const auto* box = std::get_if<Box>(&solid)) return {{"box", {{"size", list(box->size)}}}};
+  if (const auto* cylinder = std::get_if<Cylinder>(&solid))
+    return {{"cylinder", {{"radius", cylinder->radius}, {"height", cylinder->height}}}};
+  if (const auto* sphere = std::get_if<Sphere>(&solid))
+    return {{"sphere", {{"radius", sphere->radius}}}};
+  return {{"ellipsoid", {{"radii", list(std::get<Ellipsoid>(solid).radii)}}}};
+}
+
+Json tilt_value(const Tilt& tilt) {
+  return {{"from", list(tilt.from)}, {"max_deg", degrees(tilt.most)}};
+}
+
+Json quaternion(const Eigen::Quaterniond& q) {
+  return {{"w", number(q.w())}, {"x", number(q.x())}, {"y", number(q.y())}, {"z", number(q.z())}};
+}
+
+template <int Dim>
+Json contact_values(const Grasp<Dim>& grasp) {
+  Json result = Json::array();
+  for (const Contact<Dim>& contact : grasp.contacts()) {
+    const bool capped = std::isfinite(contact.max_normal);
+    Json entry = {{"finger", contact.finger},
+                  {"position", list(contact.position)},
+                  {"normal", list(contact.normal)},
+                  {"friction", number(contact.friction)}};
+    if constexpr (Dim == 3) entry["torsion"] = number(contact.torsion);
+    entry["min_normal"] = number(contact.min_normal);
+    entry["max_normal"] = capped ? Json(contact.max_normal) : Json();
+    entry["share"] = contact.share;
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+template <int Dim>
+Json check_head(const CommonFile<Dim>& file) {
+  Json result = document("check", Json::object());
+  result["name"] = file.name;
+  result["dimension"] = Dim;
+  result["safety"] = file.safety;
+  return result;
+}
+
+template <int Dim>
+void add_check(Json& result, const CommonFile<Dim>& file, const Grasp<Dim>& grasp) {
+  result["shape"] = file.shape ? shape_value(*file.shape) : Json();
+  result["contacts"] = contact_values(grasp);
+  result["force_closure"] = force_closure(grasp);
+}
+
 }  // namespace
 
 double degrees(double radians) { return number(radians / (pi / 180)); }
@@ -157,30 +234,32 @@ Vector<2> force_vector(const Contact<2>& contact, const ContactForce<2>& force) 
   return force.normal * n + force.tangential * Vector<2>(-n.y(), n.x());
 }
 
-std::string check_document(const GraspFile& file, const Grasp<2>& grasp) {
-  Json result = document("check", Json::object());
-  result["name"] = file.name;
-  result["dimension"] = file.dimension;
-  result["safety"] = file.safety;
+Vector<3> force_vector(const Contact<3>& contact, const ContactForce<3>& force) {
+  return force.normal * contact.normal + force.tangential;
+}
+
+std::string check_document(const PlanarFile& file, const Grasp<2>& grasp) {
+  Json result = check_head(file);
   result["angle_deg"] = file.angle ? Json(degrees(*file.angle)) : Json();
   result["domain"] = word(file.domain);
   result["weight"] = grasp.object().weight;
   result["com"] = list(grasp.object().com);
-  result["shape"] = file.shape ? shape_value(*file.shape) : Json();
-  result["contacts"] = Json::array();
-  for (const Contact<2>& contact : grasp.contacts()) {
-    const bool capped = std::isfinite(contact.max_normal);
-    result["contacts"].push_back({{"finger", contact.finger},
-                                  {"position", list(contact.position)},
-                                  {"normal", list(contact.normal)},
-                                  {"friction", number(contact.friction)},
-                                  {"min_normal", number(contact.min_normal)},
-                                  {"max_normal", capped ? Json(contact.max_normal) : Json()},
-                                  {"share", contact.share}});
-  }
-  result["force_closure"] = force_closure(grasp);
+  add_check(result, file, grasp);
   const Interval cradled = cradled_wedge(grasp);
   result["cradled_deg"] = cradled.from < cradled.to ? list(cradled) : Json();
+  result["warnings"] = file.warnings;
+  return json_text(result);
+}
+
+std::string check_document(const SpatialFile& file, const std::vector<Grasp<3>>& grasps) {
+  Json result = check_head(file);
+  result["up"] = file.up ? list(*file.up) : Json();
+  result["tilt"] = file.tilt ? tilt_value(*file.tilt) : Json();
+  result["scenarios"] = Json::array();
+  for (const Grasp<3>& grasp : grasps)
+    result["scenarios"].push_back(
+        {{"weight", grasp.object().weight}, {"com", list(grasp.object().com)}});
+  add_check(result, file, grasps.front());
   result["warnings"] = file.warnings;
   return json_text(result);
 }
@@ -228,6 +307,54 @@ std::string curve_document(const Grasp<2>& grasp, const PostureCurve& curve,
     result["optima"].push_back(optimum(grasp, posture_at(grasp, each, settings), true));
   result["arcs"] = arcs(grasp, curve);
   result["holdable_arcs_deg"] = holdable_arcs(curve);
+  return json_text(result);
+}
+
+std::string hold_document(const std::vector<Grasp<3>>& grasps, const SpatialPosture& posture,
+                          const HoldSettings& settings, const std::optional<Vector<3>>& up) {
+  Json options = {{"force_cap", settings.force_cap}};
+  if (up) options["up"] = list(*up);
+  Json result = document("hold", std::move(options));
+  add_hold(result, grasps, posture);
+  return json_text(result);
+}
+
+std::string best_document(const std::vector<Grasp<3>>& grasps, const BestSpatialPosture& best,
+                          const SpatialSettings& settings, const Eigen::Quaterniond& orientation) {
+  Json options = {{"domain", word(Domain::all)},
+                  {"force_cap", settings.force_cap},
+                  {"gap", settings.gap},
+                  {"max_holds", settings.max_holds}};
+  if (settings.tilt) options["tilt"] = tilt_value(*settings.tilt);
+  options["orientation"] = quaternion(orientation);
+  Json result = document("best", std::move(options));
+  const auto optimum = [&](const SpatialPosture& posture) {
+    Json hold = Json::object();
+    add_hold(hold, grasps, posture);
+    return hold;
+  };
+  const SpatialPosture* pinched = best.best_pinched();
+  result["status"] = to_string(best.status);
+  result["best"] = best.best ? optimum(*best.best) : Json();
+  result["best_pinched"] = pinched ? optimum(*pinched) : Json();
+  result["minima"] = Json::array();
+  for (const SpatialPosture& minimum : best.minima) result["minima"].push_back(optimum(minimum));
+  result["minima_complete"] = false;  // by descent from many starts
+  result["lower_bound"] =
+      best.status == Status::unholdable ? Json() : Json(number(best.lower_bound));
+  result["relative_gap"] = best.best ? Json(number(best.relative_gap)) : Json();
+  result["holds"] = best.holds;
+  result["rotation"] = result["orientation"] = Json();
+  if (best.best) {
+    const Turn turn = turn_to(orientation, best.best->up);
+    result["rotation"] = quaternion(turn.rotation);
+    result["rotation"]["angle_deg"] = degrees(turn.angle);
+    result["orientation"] = quaternion(turn.orientation);
+  }
+  result["cuts"] = Json::array();
+  for (const Cut& cut : best.cuts)
+    result["cuts"].push_back(cut.n ? Json{{"n", list(*cut.n)}}
+                                   : Json{{"y", list(cut.y)}, {"scenario", cut.scenario}});
   return json_text(result);
 }
 

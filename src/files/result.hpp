@@ -7,6 +7,7 @@
 
 #include "files/grasp_file.hpp"
 #include "poise/best_posture.hpp"
+#include "poise/best_spatial_posture.hpp"
 
 namespace poise {
 
@@ -15,6 +16,7 @@ double degrees(double radians);
 
 /// The force of the finger on the object at a contact, object frame [N].
 Vector<2> force_vector(const Contact<2>& contact, const ContactForce<2>& force);
+Vector<3> force_vector(const Contact<3>& contact, const ContactForce<3>& force);
 
 /// The posture that a hold was asked for, as it was given; neither where the file's was taken.
 struct PostureOption {
@@ -23,12 +25,20 @@ struct PostureOption {
 };
 
 /// Each of these is one JSON document in lines of readable length.
-std::string check_document(const GraspFile& file, const Grasp<2>& grasp);
+std::string check_document(const PlanarFile& file, const Grasp<2>& grasp);
 std::string hold_document(const Grasp<2>& grasp, double theta, const Hold<2>& hold,
                           const HoldSettings& settings, const PostureOption& option = {});
 std::string best_document(const Grasp<2>& grasp, const BestPosture& best,
                           const CurveSettings& settings);
 std::string curve_document(const Grasp<2>& grasp, const PostureCurve& curve,
                            const CurveSettings& settings);
+
+/// In space: the grasps are one for each scenario; `up` is the option as it was given, if it was;
+/// `orientation` is the present one, object to world.
+std::string check_document(const SpatialFile& file, const std::vector<Grasp<3>>& grasps);
+std::string hold_document(const std::vector<Grasp<3>>& grasps, const SpatialPosture& posture,
+                          const HoldSettings& settings, const std::optional<Vector<3>>& up = {});
+std::string best_document(const std::vector<Grasp<3>>& grasps, const BestSpatialPosture& best,
+                          const SpatialSettings& settings, const Eigen::Quaterniond& orientation);
 
 }  // namespace poise

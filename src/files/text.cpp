@@ -11,8 +11,8 @@
 namespace poise {
 namespace {
 
-std::string read_all(std::istream& in, const std::string& name) {
-  std::string text(max_text + 1, '\0');
+std::string read_all(std::istream& in, const std::string& name, std::size_t most) {
+  std::string text(most + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (in.bad()) throw FileError(name, {}, "", "cannot be read");
   text.resize(static_cast<std::size_t>(in.gcount()));
@@ -66,8 +66,8 @@ std::string shown(std::string_view text) {
 
 std::string file_name(const std::string& file) { return file == "-" ? "standard input" : file; }
 
-std::string read_text(const std::string& file) {
-  if (file == "-") return read_all(std::cin, file_name(file));
+std::string read_text(const std::string& file, std::size_t most) {
+  if (file == "-") return read_all(std::cin, file_name(file), most);
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
     throw FileError(file, {}, "", "is a directory, must be a file");
@@ -75,7 +75,7 @@ std::string read_text(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in)
     throw FileError(file, {}, "", "cannot be opened: " + std::generic_category().message(errno));
-  return read_all(in, file);
+  return read_all(in, file, most);
 }
 
 }  // namespace poise

@@ -83,12 +83,12 @@ void Document::fail(std::size_t at, const std::string& problem) const {
   throw FileError(file, place(at), "", problem);
 }
 
-Document open_document(std::string text, const std::string& file) {
+Document open_document(std::string text, const std::string& file, std::size_t most) {
   Document document{file, std::move(text)};
   if (document.text.compare(0, 3, "\xEF\xBB\xBF") == 0) document.text.erase(0, 3);
-  if (document.text.size() > max_text)
+  if (document.text.size() > most)
     throw FileError(file, {}, "",
-                    "is larger than " + std::to_string(max_text) + " bytes, the most that is read");
+                    "is larger than " + std::to_string(most) + " bytes, the most that is read");
   for (std::size_t i = 0; i < document.text.size();) {
     const std::size_t size = character_size(document.text, i);
     if (size == 0) document.fail(i, "is not UTF-8 text");

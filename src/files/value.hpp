@@ -37,20 +37,21 @@ struct Document {
 };
 
 /// Limits that keep a hostile file from taking the stack, the memory or the day.
-inline constexpr std::size_t max_text = std::size_t{1} << 20;  ///< [bytes]
-inline constexpr std::size_t max_values = 1'000'000;           ///< aliases written out
+inline constexpr std::size_t max_text = std::size_t{1} << 20;    ///< of a grasp file [bytes]
+inline constexpr std::size_t max_result = std::size_t{1} << 26;  ///< of a result [bytes]
+inline constexpr std::size_t max_values = 1'000'000;             ///< aliases written out
 inline constexpr int max_depth = 32;
 
 /// A document yet without its value: the text without byte order mark, known to be UTF-8 without
 /// control characters.
 /// @throws FileError
-Document open_document(std::string text, const std::string& file);
+Document open_document(std::string text, const std::string& file, std::size_t most = max_text);
 
 /// The value of a plain (unquoted) scalar by the core schema of YAML 1.2.
 Value plain_scalar(std::string_view text, std::size_t at);
 
 /// @throws FileError
-Document parse_json(std::string text, const std::string& file);
+Document parse_json(std::string text, const std::string& file, std::size_t most = max_text);
 /// YAML 1.2, and so JSON as well.
 /// @throws FileError
 Document parse_yaml(std::string text, const std::string& file);

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "shape/shape.hpp"
+#include "poise/object.hpp"
 
 namespace poise {
 
-/// The point of an ellipse's boundary nearest to a point.
-Vector<2> nearest_point(const Ellipse& ellipse, const Vector<2>& point);
+/// The point nearest to a point on the ellipse or ellipsoid with these semi-axes along the axes.
+template <int Dim>
+Vector<Dim> nearest_point(const Vector<Dim>& radii, const Vector<Dim>& point);
 
 }  // namespace poise

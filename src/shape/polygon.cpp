@@ -116,7 +116,7 @@ AreaAndCentroid area_and_centroid(const Polygon& polygon) {
 
 double half_diagonal(const Polygon& polygon) { return scaled(polygon).scale; }
 
-Boundary boundary_of(const Polygon& polygon, const Vector<2>& point) {
+Boundary<2> boundary_of(const Polygon& polygon, const Vector<2>& point) {
   static const double one_degree = std::cos(std::acos(-1) / 180);
   const Scaled s = scaled(polygon);
   const double turn = area_and_centroid(s.polygon).signed_area > 0 ? 1 : -1;
@@ -132,16 +132,17 @@ Boundary boundary_of(const Polygon& polygon, const Vector<2>& point) {
     return Vector<2>(turn * Vector<2>(from.y() - to.y(), to.x() - from.x()).stableNormalized());
   };
   std::size_t nearest = 0;
-  Boundary result{distance(0)};
+  Boundary<2> result{distance(0)};
   for (std::size_t i = 1; i < s.polygon.vertices.size(); ++i)
     if (const double d = distance(i); d < result.distance) {
       nearest = i;
       result.distance = d;
     }
   result.normal = normal(nearest);
-  for (std::size_t i = 0; i < s.polygon.vertices.size() && !result.corner; ++i)
+  for (std::size_t i = 0; i < s.polygon.vertices.size() && result.corner.empty(); ++i)
     if (distance(i) <= boundary_tolerance && normal(i).dot(result.normal) < one_degree)
-      result.corner = std::minmax(i, nearest);
+      result.corner = "at the corner between edges " + std::to_string(std::min(i, nearest)) +
+                      " and " + std::to_string(std::max(i, nearest)) + " of the polygon";
   result.distance *= s.scale;
   return result;
 }

@@ -17,6 +17,6 @@ AreaAndCentroid area_and_centroid(const Polygon& polygon);
 /// Half the diagonal of the bounding box.
 double half_diagonal(const Polygon& polygon);
 
-Boundary boundary_of(const Polygon& polygon, const Vector<2>& point);
+Boundary<2> boundary_of(const Polygon& polygon, const Vector<2>& point);
 
 }  // namespace poise

@@ -2,30 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "shape/ellipse.hpp"
 #include "shape/number_text.hpp"
 #include "shape/polygon.hpp"
+#include "shape/sizes.hpp"
 
 namespace poise {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
-
-void check_size(double value, const std::string& path) {
-  if (!(value > 0)) throw InvalidShape(path, "is " + number_text(value) + ", must be above 0");
-  if (!std::isnormal(value * value))
-    throw InvalidShape(path, "is " + number_text(value) + ", too " +
-                                 (value < 1 ? "small" : "large") + " to compute with");
-}
 
 }  // namespace
 
@@ -33,13 +18,7 @@ void check(const Shape& shape) {
   std::visit(Overloaded{
                  [](const Disk& disk) { check_size(disk.radius, "disk.radius"); },
                  [](const Ellipse& ellipse) {
-                   const Vector<2>& r = ellipse.radii;
-                   for (int k = 0; k < 2; ++k)
-                     check_size(r[k], "ellipse.radii[" + std::to_string(k) + "]");
-                   if (r.maxCoeff() > 1e6 * r.minCoeff())
-                     throw InvalidShape("ellipse.radii",
-                                        "are " + number_text(r[0]) + " and " + number_text(r[1]) +
-                                            ", one must be at most 1e6 times the other");
+                   check_sizes<2>(ellipse.radii, "ellipse.radii", 1e6, "1e6");
                  },
                  [](const Polygon& polygon) { check_simple(polygon); },
              },
@@ -70,38 +49,24 @@ double size(const Shape& shape) {
                     shape);
 }
 
-Boundary boundary(const Shape& shape, const Vector<2>& point) {
+Eigen::AlignedBox2d bounds(const Shape& shape) {
+  Eigen::AlignedBox2d box;
+  for (const Vector<2>& point : outline(shape)) box.extend(point);
+  return box;
+}
+
+Boundary<2> boundary(const Shape& shape, const Vector<2>& point) {
   return std::visit(
       Overloaded{
-          [&](const Disk& disk) {
-            const double distance = point.stableNorm();
-            // At the centre every direction is as good.
-            const Vector<2> outward =
-                distance > 0 ? point.stableNormalized() : Vector<2>(Vector<2>::UnitX());
-            return Boundary{std::abs(distance - disk.radius), -outward};
-          },
-          [&](const Ellipse& ellipse) {
-            const Vector<2> nearest = nearest_point(ellipse, point);
-            const Vector<2> outward = nearest.cwiseQuotient(ellipse.radii)
-                                          .cwiseQuotient(ellipse.radii / ellipse.radii.maxCoeff());
-            return Boundary{(point - nearest).stableNorm(), -outward.stableNormalized()};
-          },
+          [&](const Disk& disk) { return boundary_of_ball<2>(disk.radius, point); },
+          [&](const Ellipse& ellipse) { return boundary_of_ellipsoid<2>(ellipse.radii, point); },
           [&](const Polygon& polygon) { return boundary_of(polygon, point); },
       },
       shape);
 }
 
 Vector<2> inward_normal(const Shape& shape, const Vector<2>& point) {
-  const Boundary b = boundary(shape, point);
-  const double tolerance = boundary_tolerance * size(shape);
-  if (!(b.distance <= tolerance))
-    throw NoNormal("is " + number_text(b.distance, 3) +
-                   " m from the boundary of the shape, must be within " +
-                   number_text(tolerance, 3) + " m of it, or give the normal");
-  if (b.corner)
-    throw NoNormal("is at the corner between edges " + std::to_string(b.corner->first) + " and " +
-                   std::to_string(b.corner->second) + " of the polygon, give the normal");
-  return b.normal;
+  return normal_at(boundary(shape, point), size(shape));
 }
 
 std::vector<Vector<2>> outline(const Shape& shape, std::size_t points) {

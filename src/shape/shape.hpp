@@ -1,11 +1,11 @@
-// The outline of an object in the plane: where it ends, and which way is in.
+// The shape of an object: where it ends, and which way is in.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -28,7 +28,34 @@ struct Polygon {
   std::vector<Vector<2>> vertices;  ///< [m], in either orientation, not repeating the first
 };
 
+/// An outline in the plane.
 using Shape = std::variant<Disk, Ellipse, Polygon>;
+
+/// Centred at the object frame's origin, its edges along the axes.
+struct Box {
+  Vector<3> size = Vector<3>::Ones();  ///< lengths of its edges along x, y and z [m]
+};
+
+/// Centred at the object frame's origin, its axis along z.
+struct Cylinder {
+  double radius{1}, height{1};  ///< [m]
+};
+
+/// Centred at the object frame's origin.
+struct Sphere {
+  double radius{1};  ///< [m]
+};
+
+/// Centred at the object frame's origin, its axes along x, y and z.
+struct Ellipsoid {
+  Vector<3> radii = Vector<3>::Ones();  ///< semi-axes along x, y and z [m]
+};
+
+/// A body in space.
+using Solid = std::variant<Box, Cylinder, Sphere, Ellipsoid>;
+
+template <int Dim>
+using ShapeOf = std::conditional_t<Dim == 2, Shape, Solid>;
 
 /// A shape that has no meaning: which field is wrong, and what would be right.
 class InvalidShape : public std::invalid_argument {
@@ -48,33 +75,43 @@ class NoNormal : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Throws InvalidShape unless every size is finite and above 0, and a polygon is simple: its edges
-/// have a length and meet only where one ends and the next begins. The functions below want such a
-/// shape.
+/// Throws InvalidShape unless every size is finite and above 0 and none is out of all proportion,
+/// and a polygon is simple: its edges have a length and meet only where one ends and the next
+/// begins. The functions below want such a shape.
 void check(const Shape& shape);
+void check(const Solid& solid);
 
 double area(const Shape& shape);  ///< [m^2]
 Vector<2> centroid(const Shape& shape);
+Vector<3> centroid(const Solid& solid);
 
 /// The scale of a shape [m]: its larger radius, or half the diagonal of its bounding box.
 double size(const Shape& shape);
+double size(const Solid& solid);
+
+/// The bounding box [m].
+Eigen::AlignedBox2d bounds(const Shape& shape);
+Eigen::AlignedBox3d bounds(const Solid& solid);
 
 /// A point counts as on the boundary within this part of the shape's size.
 inline constexpr double boundary_tolerance = 1e-4;
 
 /// The boundary as seen from a point.
+template <int Dim>
 struct Boundary {
-  double distance{0};                    ///< to its nearest point [m]
-  Vector<2> normal = Vector<2>::Zero();  ///< inward unit normal there
-  /// Two edges of a polygon that are both within the tolerance, with normals more than one degree
-  /// apart: there is a corner, and no single normal.
-  std::optional<std::pair<std::size_t, std::size_t>> corner{};
+  double distance{0};                        ///< to its nearest point [m]
+  Vector<Dim> normal = Vector<Dim>::Zero();  ///< inward unit normal there
+  /// Where parts of the boundary with different normals are all within the tolerance, so that there
+  /// is no single normal: which they are, in words ("at the corner between edges 0 and 1 of ...").
+  std::string corner{};
 };
-Boundary boundary(const Shape& shape, const Vector<2>& point);
+Boundary<2> boundary(const Shape& shape, const Vector<2>& point);
+Boundary<3> boundary(const Solid& solid, const Vector<3>& point);
 
 /// The inward unit normal at a point on the boundary.
-/// @throws NoNormal for a point off the boundary, or at a corner.
+/// @throws NoNormal for a point off the boundary, or at a corner or an edge.
 Vector<2> inward_normal(const Shape& shape, const Vector<2>& point);
+Vector<3> inward_normal(const Solid& solid, const Vector<3>& point);
 
 /// The boundary as a closed line for drawing, without repeating the first point: a polygon's
 /// vertices, or `points` points of a curve.

@@ -248,7 +248,7 @@ void ask(const Question& q, const Grasp<2>& grasp, Decoder& decoder) {
   const BestPosture best = best_posture(grasp, q.settings);
   judge.judge(best);
   judge.judge(best_document(grasp, best, q.settings));
-  GraspFile file;
+  PlanarFile file;
   file.object = q.object;
   file.contacts = q.contacts;
   judge.judge(check_document(file, grasp));

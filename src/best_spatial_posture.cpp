@@ -1,0 +1,564 @@
+#include "poise/best_spatial_posture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ascend.hpp"
+#include "polytope.hpp"
+#include "twist.hpp"
+
+namespace poise {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A scenario in the units of the search: efforts in squared weights of the heaviest.
+struct Scenario {
+  const Grasp<3>* grasp;
+  double weight;  ///< in weights of the heaviest
+  double cap;     ///< in its own weights
+};
+
+/// For every x in R^3, load x through the com of the scenario: effort >= weight^2 2 (v . x - phi),
+/// v the velocity of the com under y. Or a plane n . x <= 0 of the domain.
+struct Row {
+  Vector<3> n;  ///< v / |v|
+  double speed{0}, phi{0};
+  Twist<3> y = Twist<3>::Zero();  ///< about the com, in the solver's units
+  std::size_t scenario{0};
+  Vector<3> at = Vector<3>::Zero();  ///< where y is optimal
+  bool holdable{false}, plane{false};
+};
+
+struct Evaluation {
+  double V{infinity};  ///< infinite where unholdable
+  Row row;
+};
+
+/// Postures at most an angle away from a direction.
+struct Cone {
+  Vector<3> axis;
+  double most;
+
+  /// By how much x is outside [rad].
+  double excess(const Vector<3>& x) const {
+    return std::atan2(axis.cross(x).norm(), axis.dot(x)) - most;
+  }
+  /// The unit vector across the axis towards x.
+  Vector<3> across(const Vector<3>& x) const {
+    const Vector<3> beside = x - axis.dot(x) * axis;
+    return beside.norm() > 1e-12 * x.norm() ? Vector<3>(beside.normalized())
+                                            : Vector<3>(tangents(axis).col(0));
+  }
+  /// The plane n . x <= 0 that touches the cone on x's side.
+  Vector<3> plane(const Vector<3>& x) const {
+    if (most >= pi / 2 || axis.dot(x) < 0) return -axis;
+    return std::cos(most) * across(x) - std::sin(most) * axis;
+  }
+  Vector<3> nearest(const Vector<3>& x) const {
+    if (!(excess(x) > 0)) return x.normalized();
+    return std::cos(most) * axis + std::sin(most) * across(x);
+  }
+};
+
+/// Minimises the greatest effort of the scenarios over the unit vectors of all cones.
+class Search {
+ public:
+  Search(const std::vector<Scenario>& scenarios, std::vector<Cone> cones, double gap, int max_holds)
+      : scenarios_(scenarios), cones_(std::move(cones)), gap_(gap), max_holds_(max_holds) {
+    for (const Scenario& s : scenarios) {
+      limited_ = limited_ || s.grasp->scaled().limited;
+      cap_ = std::max(cap_, s.cap * s.weight);
+    }
+    // |f| >= W / sqrt(sum share), by y = t e_k.
+    const ScaledGrasp<3>& grasp = scenarios.front().grasp->scaled();
+    for (std::size_t i = 0; i < grasp.size; ++i)
+      shares_ += grasp.lanes[i / lane_size].share[i % lane_size];
+    for (std::size_t s = 0; s < scenarios.size(); ++s)
+      if (scenarios[s].weight == 1) heaviest_ = s;
+    t_ = limited_ ? target() : 1;
+    polytope_ = box();
+    for (std::size_t s = 0; s < scenarios.size(); ++s)
+      for (const Twist<3>& unfelt : scenarios[s].grasp->scaled().unfelt)
+        if (unfelt.head<3>().norm() > 1e-9)
+          for (const double sign : {1.0, -1.0}) nothing_resists(s, sign * unfelt);
+  }
+
+  /// V at weight `x` (unit vector: a posture), from the y of a row.
+  /// Where it is far from the best, V is only rough; the row is right in any case.
+  Evaluation evaluate(const Vector<3>& x, const Row* from = nullptr, bool exact = false);
+
+  /// Takes a posture into account that was found elsewhere.
+  void suggest(const Vector<3>& up) { visit(up, nullptr); }
+  void run();
+
+  double best_V() const { return best_V_; }
+  const Vector<3>& best_up() const { return best_up_; }
+  const Row& best_row() const { return best_row_; }
+  int holds() const { return holds_; }
+  double cap() const { return cap_; }
+  /// What the rows prove: V >= lower_bound() in the domain.
+  double lower_bound();
+  /// The rows that are needed for that, as cuts.
+  std::vector<Cut> certificate(double t) const;
+
+ private:
+  Polytope box() const { return Polytope(std::sqrt(t_ * shares_)); }
+  /// The effort whose level set is cut: with limits the rows' right-hand sides depend on it. Where
+  /// nothing holds, a little above the cap, which proofs exceed by a tenth.
+  double target() const {
+    return std::min((1 - gap_) * (1 + 1e-3 * gap_) * std::min(best_V_, relaxed_),
+                    1.01 * cap_ * cap_);
+  }
+  double right_hand_side(const Row& row) const;
+  bool cut(std::size_t row, std::size_t hint);
+  void rebuild();
+  bool inside(const Vector<3>& up) const {
+    return std::all_of(cones_.begin(), cones_.end(),
+                       [&](const Cone& cone) { return cone.excess(up) <= 1e-9; });
+  }
+  /// Evaluates, remembers the row and whether it is the best; false: unholdable.
+  bool visit(const Vector<3>& up, const Row* from);
+  Vector<3> snapped(const Vector<3>& x, const std::array<int, 3>& planes) const;
+  const Row* neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const;
+  bool stay_inside(std::size_t vertex);
+  void nothing_resists(std::size_t scenario, const Twist<3>& y);
+
+  const std::vector<Scenario>& scenarios_;
+  std::vector<Cone> cones_;
+  double gap_;
+  int max_holds_, holds_{0};
+  bool limited_{false};
+  double cap_{0}, shares_{0}, t_{1}, relaxed_{infinity};
+  std::size_t heaviest_{0};
+  std::vector<Row> rows_;  ///< plane 6 + i of the polytope is row i
+  Polytope polytope_{1};
+  double best_V_{infinity};
+  Vector<3> best_up_ = Vector<3>::Zero();
+  Row best_row_;
+  int unholdable_in_a_row_{0};
+};
+
+Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
+  Evaluation worst;
+  worst.V = -1;
+  Wrench<3> w;
+  w << x, 0, 0, 0;
+  for (std::size_t s = 0; s < scenarios_.size(); ++s) {
+    const Scenario& scenario = scenarios_[s];
+    const ScaledGrasp<3>& grasp = scenario.grasp->scaled();
+    dual::Point<3> point(grasp.size);
+    const Twist<3> start =
+        from != nullptr && from->scenario == s ? from->y : dual::cold_start<3>(grasp, w);
+    const double in_units = scenario.weight * scenario.weight;
+    bool holdable = !exact && dual::approach(grasp, w, start, scenario.cap, point);
+    double square = dual::squared_norm(point);
+    if (exact || (holdable && !(in_units * square > (1 + 1e-6) * best_V_))) {
+      dual::Point<3> rough = point;
+      const bool approached = holdable;
+      holdable = dual::maximise(grasp, w, exact ? start : Twist<3>(point.y), scenario.cap, point);
+      square = dual::squared_norm(point);
+      // Rounding of a load may ask for a very long y, of no use for other loads.
+      if (approached && holdable && dual::span(point.y) > 1e3 * dual::span(rough.y)) point = rough;
+    }
+    ++holds_;
+    const double V = holdable ? in_units * square : infinity;
+    if (!(V > worst.V)) continue;
+    worst.V = V;
+    Row& row = worst.row;
+    row.y = point.y;
+    row.speed = point.y.head<3>().norm();
+    row.n = point.y.head<3>() / row.speed;
+    // Rounding of G^T y must not make a cut deeper than it is.
+    const double rounding = 2.2e-16 * point.y.cwiseAbs().sum();
+    const double norm = std::sqrt(dual::squared_norm(point)) +
+                        rounding * std::sqrt(static_cast<double>(grasp.size));
+    row.phi = limited_ ? std::max(point.y.dot(w) - point.value, 0.0) : 0.5 * norm * norm;
+    row.scenario = s;
+    row.at = x;
+    row.holdable = holdable;
+    if (!holdable) break;
+  }
+  return worst;
+}
+
+/// A row for a twist that no contact feels.
+void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
+  const ScaledGrasp<3>& grasp = scenarios_[scenario].grasp->scaled();
+  dual::Point<3> point(grasp.size);
+  Row row;
+  row.y = 1e8 * y;
+  dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), row.y, point);
+  row.speed = row.y.head<3>().norm();
+  row.n = row.y.head<3>() / row.speed;
+  row.phi = std::max(-point.value, 0.0) + 1e-30 * row.y.squaredNorm();
+  row.scenario = scenario;
+  rows_.push_back(row);
+  cut(rows_.size() - 1, Polytope::none);
+}
+
+/// Of n . x where the effort is at most t_. Without limits y may be as long as is best.
+double Search::right_hand_side(const Row& row) const {
+  if (row.plane) return 0;
+  const double weight = scenarios_[row.scenario].weight, half = t_ / (2 * weight * weight);
+  return limited_ ? (half + row.phi) / row.speed : 2 * std::sqrt(half * row.phi) / row.speed;
+}
+
+bool Search::cut(std::size_t row, std::size_t hint) {
+  const Row& r = rows_[row];
+  const int id = 6 + static_cast<int>(row);
+  if (!r.plane && !(r.speed > 1e-300)) return false;
+  if (hint == Polytope::none) return polytope_.cut(r.n, right_hand_side(r), id);
+  return polytope_.cut(r.n, right_hand_side(r), id, hint);
+}
+
+void Search::rebuild() {
+  t_ = target();
+  polytope_ = box();
+  for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
+}
+
+bool Search::visit(const Vector<3>& up, const Row* from) {
+  Evaluation e = evaluate(up, from);
+  const bool better = e.V < best_V_ && inside(up);
+  rows_.push_back(e.row);
+  if (better) {
+    best_V_ = e.V;
+    best_up_ = up;
+    best_row_ = e.row;
+  }
+  if (better && limited_)
+    rebuild();
+  else
+    cut(rows_.size() - 1, Polytope::none);
+  return e.V < infinity;
+}
+
+/// Where holdable postures have no inside, the planes that leave nothing else go through 0: what is
+/// a little beside them by rounding is meant to be on them.
+Vector<3> Search::snapped(const Vector<3>& x, const std::array<int, 3>& planes) const {
+  Vector<3> up = x.normalized();
+  std::vector<Vector<3>> basis;
+  for (const int id : planes) {
+    if (id < 6) continue;
+    const Row& row = rows_[static_cast<std::size_t>(id - 6)];
+    if (row.holdable || std::abs(row.n.dot(up)) > 1e-7) continue;
+    Vector<3> n = row.n;
+    for (const Vector<3>& b : basis) n -= b.dot(n) * b;
+    if (n.norm() > 1e-4) basis.push_back(n.normalized());
+  }
+  if (basis.size() > 2) return up;
+  for (const Vector<3>& b : basis) up -= b.dot(up) * b;
+  return up.normalized();
+}
+
+const Row* Search::neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const {
+  const Row* nearest = nullptr;
+  for (const int id : planes) {
+    if (id < 6) continue;
+    const Row& row = rows_[static_cast<std::size_t>(id - 6)];
+    if (row.plane || !row.holdable) continue;
+    if (nearest == nullptr || row.at.dot(x) > nearest->at.dot(x)) nearest = &row;
+  }
+  return nearest;
+}
+
+/// A plane for a vertex outside of the domain. True if there was need for one.
+bool Search::stay_inside(std::size_t vertex) {
+  const Vector<3> x = polytope_[vertex].x;
+  for (const Cone& cone : cones_) {
+    const double excess = cone.excess(x);
+    if (!(excess > 1e-12)) continue;
+    const Row* from = neighbour(x, polytope_[vertex].planes);
+    const Row start = from != nullptr ? *from : Row{};
+    Row row;
+    row.n = cone.plane(x).normalized();
+    row.plane = true;
+    rows_.push_back(row);
+    if (!cut(rows_.size() - 1, vertex)) polytope_[vertex].tried = true;
+    if (excess < 1e-2) visit(cone.nearest(x), from != nullptr ? &start : nullptr);
+    return true;
+  }
+  return false;
+}
+
+void Search::run() {
+  for (const Cone& cone : cones_)
+    if (best_V_ == infinity && inside(cone.axis)) visit(cone.axis, nullptr);
+  for (int step = 0; step < 20 * max_holds_ && holds_ < max_holds_; ++step) {
+    const std::size_t far = polytope_.farthest(false);
+    if (far == Polytope::none) break;
+    const double enough = limited_ ? 1 : 1 / target();  // of |x|^2
+    if (polytope_[far].square <= enough) break;
+    if (stay_inside(far)) continue;
+    const Vector<3> x = polytope_[far].x;
+    const std::array<int, 3> planes = polytope_[far].planes;
+    const Vector<3> up = snapped(x, planes);
+    const Row* from = neighbour(x, planes);
+    const Evaluation e = evaluate(up, from);
+    rows_.push_back(e.row);
+    if (e.V < best_V_ && inside(up)) {
+      best_V_ = e.V;
+      best_up_ = up;
+      best_row_ = e.row;
+      best_row_ = e.row;
+      if (limited_) {
+        rebuild();
+        continue;
+      }
+    }
+    cut(rows_.size() - 1, far);
+    const auto there_still = [&] { return polytope_[far].alive && polytope_[far].x == x; };
+    if (there_still()) {
+      rows_.push_back(evaluate(up, from, true).row);
+      cut(rows_.size() - 1, far);
+    }
+    if (there_still()) {
+      // With min_normal a heavier object may need less: try what is out there.
+      if (limited_ && e.V < infinity) {
+        const Evaluation there = evaluate(x, &e.row, true);
+        rows_.push_back(there.row);
+        cut(rows_.size() - 1, far);
+        if (there_still() && there.V < relaxed_) {
+          relaxed_ = there.V;
+          rebuild();
+          continue;
+        }
+      }
+      if (there_still()) polytope_[far].tried = true;
+    }
+    // Vertices lie outside of what can be held: look for the best from the inside, too.
+    unholdable_in_a_row_ = e.V < infinity ? 0 : unholdable_in_a_row_ + 1;
+    if (unholdable_in_a_row_ < 2) continue;
+    const Vector<3> middle = best_V_ < infinity ? Vector<3>(up + best_up_) : polytope_.middle();
+    if (middle.norm() > 1e-3) visit(snapped(middle, planes), nullptr);
+  }
+}
+
+double Search::lower_bound() {
+  const auto radius = [&] {
+    const std::size_t far = polytope_.farthest(true);
+    return far == Polytope::none ? 0 : polytope_[far].square;
+  };
+  // What rounding of vertices may make out, and of y where it is as good as infinitely long.
+  constexpr double safe = 1 - 1e-10;
+  if (!limited_) return safe / std::max(radius(), 1e-40);
+  if (radius() <= 1) return safe * t_;
+  double least = 0, most = t_;
+  for (int halving = 0; halving < 40; ++halving) {
+    t_ = (least + most) / 2;
+    polytope_ = box();
+    for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
+    (radius() <= 1 ? least : most) = t_;
+  }
+  t_ = least;
+  polytope_ = box();
+  for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
+  return safe * least;
+}
+
+std::vector<Cut> Search::certificate(double t) const {
+  std::vector<char> needed(6 + rows_.size(), 0);
+  for (std::size_t i = 0; i < polytope_.size(); ++i)
+    if (polytope_[i].alive)
+      for (const int id : polytope_[i].planes) needed[static_cast<std::size_t>(id)] = 1;
+  if (polytope_.farthest(true) == Polytope::none) std::fill(needed.begin(), needed.end(), 1);
+  std::vector<Cut> cuts;
+  for (std::size_t id = 0; id < needed.size(); ++id) {
+    if (needed[id] == 0) continue;
+    Cut cut;
+    Twist<3> y = Twist<3>::Zero();
+    if (id < 6) {
+      y[static_cast<Eigen::Index>(id / 2)] = (id % 2 == 0 ? 1 : -1) * std::sqrt(t / shares_);
+      cut.scenario = heaviest_;
+    } else {
+      const Row& row = rows_[id - 6];
+      if (row.plane) {
+        cut.n = row.n;
+        cuts.push_back(cut);
+        continue;
+      }
+      cut.scenario = row.scenario;
+      y = row.y;
+      const double half = t / (2 * std::pow(scenarios_[row.scenario].weight, 2));
+      // As long as is best for it; not so long that rounding would count.
+      if (!limited_)
+        y *= std::min(std::sqrt(half / row.phi), 1e10 * std::max(half, 1e-10) / row.y.norm());
+    }
+    cut.y = about_origin(*scenarios_[cut.scenario].grasp, y);
+    cuts.push_back(cut);
+  }
+  return cuts;
+}
+
+void check(const std::vector<Grasp<3>>& scenarios, const SpatialSettings& settings) {
+  if (!(settings.gap > 0) || !(settings.gap < 1))
+    throw InvalidGrasp("gap", "must be above 0 and below 1");
+  if (settings.max_holds < 1) throw InvalidGrasp("max_holds", "must be at least 1");
+  if (settings.starts < 0) throw InvalidGrasp("starts", "must be at least 0");
+  if (!(settings.force_cap > 0) || !(settings.force_cap <= 1e9))
+    throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
+  if (settings.tilt) {
+    if (!(std::abs(settings.tilt->from.squaredNorm() - 1) <= 1e-6))
+      throw InvalidGrasp("tilt.from", "must be a unit vector");
+    if (!(settings.tilt->most >= 0) || !(settings.tilt->most <= pi / 2 + 1e-12))
+      throw InvalidGrasp("tilt.most", "must be at least 0 and at most 90 degrees");
+  }
+  if (scenarios.empty()) throw InvalidGrasp("scenarios", "is empty, must hold at least one");
+  const auto& first = scenarios.front().contacts();
+  for (const Grasp<3>& grasp : scenarios) {
+    const auto same = [](const Contact<3>& a, const Contact<3>& b) {
+      return a.position == b.position && a.normal == b.normal && a.friction == b.friction &&
+             a.torsion == b.torsion && a.share == b.share && a.min_normal == b.min_normal &&
+             a.max_normal == b.max_normal && a.finger == b.finger;
+    };
+    if (!std::equal(first.begin(), first.end(), grasp.contacts().begin(), grasp.contacts().end(),
+                    same))
+      throw InvalidGrasp("scenarios", "must all have the same contacts");
+  }
+}
+
+/// With all scenarios' holds. `row`: of the scenario that decides.
+SpatialPosture posture(const std::vector<Scenario>& scenarios, const Vector<3>& up,
+                       const Row& row) {
+  SpatialPosture result;
+  result.up = up;
+  for (std::size_t s = 0; s < scenarios.size(); ++s) {
+    const Grasp<3>& grasp = *scenarios[s].grasp;
+    const HoldSettings settings{scenarios[s].cap};
+    Hold<3> found = hold(grasp, up, settings);
+    // At the border of what can be held rounding may decide.
+    if (!found.holdable && s == row.scenario)
+      found = hold<3>(grasp, grasp.load(up), about_origin(grasp, row.y), settings);
+    result.scenario_efforts.push_back(found.holdable ? found.effort : infinity);
+    if (s > 0 && result.scenario_efforts.back() <= result.hold.effort) continue;
+    result.hold = found;
+    result.scenario = s;
+  }
+  result.manner = manner(*scenarios[result.scenario].grasp, up, result.hold);
+  return result;
+}
+
+/// Descends from `up` until it is the best of all postures within a little cone around it.
+std::pair<Vector<3>, Row> descend(const std::vector<Scenario>& scenarios,
+                                  const std::vector<Cone>& domain, Vector<3> up) {
+  constexpr double near = 0.1;
+  Row row;
+  for (int step = 0; step < 60; ++step) {
+    std::vector<Cone> cones = domain;
+    cones.push_back({up, near});
+    Search local(scenarios, cones, step == 0 ? 1e-3 : 1e-10, 150);
+    local.run();
+    if (!(local.best_V() < infinity)) break;
+    const double moved = std::acos(std::clamp(up.dot(local.best_up()), -1.0, 1.0));
+    up = local.best_up();
+    row = local.best_row();
+    if (step > 0 && moved < 0.99 * near) break;
+  }
+  return {up, row};
+}
+
+/// Points spread over the sphere, on a spiral.
+std::vector<Vector<3>> spiral(int count) {
+  std::vector<Vector<3>> points;
+  for (int k = 0; k < count; ++k) {
+    const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(1 - z * z);
+    const double turn = k * pi * (3 - std::sqrt(5.0));
+    points.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+  }
+  return points;
+}
+
+}  // namespace
+
+const char* to_string(Status status) {
+  constexpr const char* names[] = {"optimal", "gap", "unholdable"};
+  return names[static_cast<int>(status)];
+}
+
+BestSpatialPosture best_posture(const Grasp<3>& grasp, const SpatialSettings& settings) {
+  return best_posture(std::vector<Grasp<3>>{grasp}, settings);
+}
+
+BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
+                                const SpatialSettings& settings) {
+  check(grasps, settings);
+  double weight = 0;
+  for (const Grasp<3>& grasp : grasps) weight = std::max(weight, grasp.object().weight);
+  std::vector<Scenario> scenarios;
+  for (const Grasp<3>& grasp : grasps) {
+    const double part = grasp.object().weight / weight;
+    scenarios.push_back({&grasp, part, std::min(settings.force_cap / part, 1e9)});
+  }
+  std::vector<Cone> domain;
+  if (settings.tilt) domain.push_back({settings.tilt->from.normalized(), settings.tilt->most});
+
+  BestSpatialPosture result;
+  Search search(scenarios, domain, settings.gap, settings.max_holds);
+  search.run();
+  const double square = weight * weight, bound = search.lower_bound();
+  result.holds = search.holds();
+  result.cuts = search.certificate(bound);
+  result.lower_bound = square * bound;
+  if (!(search.best_V() < infinity)) {
+    result.status = bound > search.cap() * search.cap() ? Status::unholdable : Status::gap;
+    return result;
+  }
+  result.best = posture(scenarios, search.best_up(), search.best_row());
+  if (!result.best->hold.holdable) {  // within rounding of the limit of holding
+    result.best.reset();
+    return result;
+  }
+  const double effort = result.best->effort();
+  result.lower_bound = std::min(result.lower_bound, effort);
+  result.relative_gap = (effort - result.lower_bound) / effort;
+  result.status = result.relative_gap <= settings.gap ? Status::optimal : Status::gap;
+
+  std::vector<std::pair<Vector<3>, Row>> found = {{search.best_up(), search.best_row()}};
+  for (const Vector<3>& start : spiral(settings.starts)) {
+    Vector<3> up = start;
+    for (const Cone& cone : domain) up = cone.nearest(up);
+    if (!(search.evaluate(up).V < infinity)) continue;
+    const auto minimum = descend(scenarios, domain, up);
+    if (std::none_of(found.begin(), found.end(), [&](const auto& other) {
+          return (other.first - minimum.first).norm() < 1e-3;
+        }))
+      found.push_back(minimum);
+  }
+  for (const auto& [up, row] : found) {
+    SpatialPosture minimum = posture(scenarios, up, row);
+    if (minimum.hold.holdable) result.minima.push_back(std::move(minimum));
+  }
+  std::stable_sort(
+      result.minima.begin() + 1, result.minima.end(),
+      [](const SpatialPosture& a, const SpatialPosture& b) { return a.effort() < b.effort(); });
+  for (std::size_t i = 0; i < result.minima.size() && !result.pinched; ++i) {
+    const SpatialPosture& minimum = result.minima[i];
+    if (minimum.manner != Manner::pinched) continue;
+    bool interior = true;
+    const Eigen::Matrix<double, 3, 2> across = tangents(minimum.up);
+    for (int k = 0; k < 8 && interior; ++k) {
+      const Vector<3> beside =
+          (minimum.up + 1e-6 * (across * Vector<2>(std::cos(k * pi / 4), std::sin(k * pi / 4))))
+              .normalized();
+      for (const Cone& cone : domain) interior = interior && !(cone.excess(beside) > 0);
+      interior = interior && search.evaluate(beside).V < infinity;
+    }
+    if (interior) result.pinched = i;
+  }
+  return result;
+}
+
+Eigen::Quaterniond smallest_turn(const Eigen::Quaterniond& orientation, const Vector<3>& up) {
+  const Vector<3> now = (orientation.normalized() * up).normalized();
+  // From `now` to z: by half the angle, w = cos and the axis times sin.
+  const Vector<3> axis = now.cross(Vector<3>::UnitZ());
+  const double across = axis.norm(), angle = std::atan2(across, now.z());
+  if (!(across > 1e-15))
+    return now.z() > 0 ? Eigen::Quaterniond::Identity() : Eigen::Quaterniond(0, 1, 0, 0);
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis / across));
+}
+
+}  // namespace poise

@@ -1,0 +1,132 @@
+#include "polytope.hpp"
+
+namespace poise {
+
+Polytope::Polytope(double half) : rounding_(2e-15 * half) {
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    Vertex v{};
+    std::size_t negative = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const std::size_t side = corner >> d & 1;
+      negative += side;
+      v.x[static_cast<Eigen::Index>(d)] = side == 1 ? -half : half;
+      v.planes[d] = static_cast<int>(2 * d + side);
+      v.next[d] = corner ^ (std::size_t{1} << d);
+    }
+    if (negative % 2 == 1) {  // all turn the same way
+      std::swap(v.planes[1], v.planes[2]);
+      std::swap(v.next[1], v.next[2]);
+    }
+    v.square = v.x.squaredNorm();
+    v.alive = true;
+    vertices_.push_back(v);
+  }
+  in_patch_.assign(8, 0);
+}
+
+std::size_t Polytope::add(const Vertex& vertex) {
+  if (free_.empty()) {
+    vertices_.push_back(vertex);
+    in_patch_.push_back(0);
+    return vertices_.size() - 1;
+  }
+  const std::size_t i = free_.back();
+  free_.pop_back();
+  vertices_[i] = vertex;
+  return i;
+}
+
+bool Polytope::cut(const Vector<3>& n, double b, int id) {
+  std::size_t hint = none;
+  double most = b + rounding_;
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    if (!vertices_[i].alive || !(n.dot(vertices_[i].x) > most)) continue;
+    most = n.dot(vertices_[i].x);
+    hint = i;
+  }
+  return hint != none && cut(n, b, id, hint);
+}
+
+bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
+  const auto beyond = [&](std::size_t i) { return n.dot(vertices_[i].x) > b + rounding_; };
+  if (!beyond(hint)) return cut(n, b, id);
+  // The patch of vertices that are cut off.
+  patch_.assign(1, hint);
+  in_patch_[hint] = 1;
+  for (std::size_t k = 0; k < patch_.size(); ++k)
+    for (const std::size_t i : vertices_[patch_[k]].next)
+      if (in_patch_[i] == 0 && beyond(i)) {
+        in_patch_[i] = 1;
+        patch_.push_back(i);
+      }
+  // The edges out of the patch. They lead once round it, from plane to plane, or rounding has
+  // made the patch no disk: then the cut is left out.
+  edges_.clear();
+  for (const std::size_t i : patch_)
+    for (std::size_t e = 0; e < 3; ++e)
+      if (in_patch_[vertices_[i].next[e]] == 0) edges_.push_back({i, e});
+  for (const std::size_t i : patch_) in_patch_[i] = 0;
+  if (edges_.empty()) {  // nothing is left
+    for (const std::size_t i : patch_) vertices_[i].alive = false;
+    return true;
+  }
+  const auto first = [&](const Edge& e) { return vertices_[e.from].planes[(e.leaves + 1) % 3]; };
+  const auto second = [&](const Edge& e) { return vertices_[e.from].planes[(e.leaves + 2) % 3]; };
+  for (std::size_t k = 0; k + 1 < edges_.size(); ++k) {
+    std::size_t follower = k + 1;
+    while (follower < edges_.size() && first(edges_[follower]) != second(edges_[k])) ++follower;
+    if (follower == edges_.size()) return false;
+    std::swap(edges_[k + 1], edges_[follower]);
+  }
+  if (edges_.size() < 3 || first(edges_.front()) != second(edges_.back())) return false;
+  // On each a new vertex, opposite to the new plane.
+  fan_.clear();
+  for (const Edge& edge : edges_) {
+    const Vertex& from = vertices_[edge.from];
+    const std::size_t outside = from.next[edge.leaves];
+    const Vertex& to = vertices_[outside];
+    const double above = n.dot(from.x) - b, below = b - n.dot(to.x);
+    const double part = below > 0 ? above / (above + below) : 1;
+    Vertex v{};
+    v.x = from.x + part * (to.x - from.x);
+    v.square = v.x.squaredNorm();
+    v.planes = {first(edge), second(edge), id};
+    v.next = {none, none, outside};
+    v.alive = true;
+    fan_.push_back(add(v));
+  }
+  for (std::size_t k = 0; k < fan_.size(); ++k) {
+    const std::size_t i = fan_[k], j = fan_[(k + 1) % fan_.size()];
+    vertices_[i].next[0] = j;  // leaves its first plane: shares the second and the new one
+    vertices_[j].next[1] = i;
+    // The edge's other end knew it by the vertex that goes.
+    const std::array<int, 3>& planes = vertices_[i].planes;
+    Vertex& to = vertices_[vertices_[i].next[2]];
+    for (std::size_t e = 0; e < 3; ++e)
+      if (to.planes[e] != planes[0] && to.planes[e] != planes[1]) to.next[e] = i;
+  }
+  for (const std::size_t i : patch_) {
+    vertices_[i].alive = false;
+    free_.push_back(i);
+  }
+  return true;
+}
+
+std::size_t Polytope::farthest(bool of_all) const {
+  std::size_t best = none;
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    const Vertex& v = vertices_[i];
+    if (v.alive && (of_all || !v.tried) && (best == none || v.square > vertices_[best].square))
+      best = i;
+  }
+  return best;
+}
+
+Vector<3> Polytope::middle() const {
+  Vector<3> sum = Vector<3>::Zero();
+  for (const Vertex& v : vertices_)
+    if (v.alive) sum += v.x;
+  return sum.norm() > 0 ? Vector<3>(sum.normalized()) : sum;
+}
+
+}  // namespace poise

@@ -1,0 +1,57 @@
+// A polytope in space as the half-spaces that bound it and its vertices. Not installed.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "poise/object.hpp"
+
+namespace poise {
+
+/// Cut out of a cube by half-spaces. Every vertex lies on three planes (where more meet, there are
+/// several vertices at one point), so vertices and edges are the triangles and edges of a closed
+/// surface whose corners are the planes; a cut replaces a patch of it by a fan.
+class Polytope {
+ public:
+  struct Vertex {
+    Vector<3> x;
+    double square;                    ///< |x|^2
+    std::array<int, 3> planes;        ///< ids
+    std::array<std::size_t, 3> next;  ///< along the edge that leaves planes[k]
+    bool alive, tried;
+  };
+
+  /// |x_k| <= half; the planes' ids are 0, 1 (x at half, -half), 2, 3 (y), 4, 5 (z).
+  explicit Polytope(double half);
+
+  /// Keeps n . x <= b, n of length 1, as plane `id`. `hint`: a vertex that it may cut off. False,
+  /// and unchanged: it cuts off none by more than rounding, or rounding makes it ambiguous.
+  bool cut(const Vector<3>& n, double b, int id, std::size_t hint);
+  bool cut(const Vector<3>& n, double b, int id);
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  /// The vertex farthest from the origin, of all or of those not yet tried; none if there is none.
+  std::size_t farthest(bool of_all) const;
+  /// Some direction between those of the far vertices.
+  Vector<3> middle() const;
+  Vertex& operator[](std::size_t i) { return vertices_[i]; }
+  const Vertex& operator[](std::size_t i) const { return vertices_[i]; }
+  std::size_t size() const { return vertices_.size(); }
+
+ private:
+  struct Edge {
+    std::size_t from, leaves;  ///< a vertex, and the index of the plane that the edge leaves
+  };
+
+  std::size_t add(const Vertex& vertex);
+
+  double rounding_;
+  std::vector<Vertex> vertices_;
+  std::vector<std::size_t> free_, patch_, fan_;
+  std::vector<char> in_patch_;
+  std::vector<Edge> edges_;
+};
+
+}  // namespace poise

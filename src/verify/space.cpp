@@ -1,0 +1,237 @@
+#include "verify/space.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "verify/hull.hpp"
+#include "verify/plane.hpp"
+
+namespace poise::verify {
+namespace {
+
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+using Quaternion = Eigen::Quaternion<Real>;
+
+/// Planes of a tilt are moved out by this, and cuts through the origin as well: their dual points
+/// lie within the reciprocal distance, where Qhull still has digits.
+constexpr Real nearest = 1e-7L;
+
+struct Tilt {
+  Vec3 from;
+  Real most{0};  ///< [rad]
+};
+
+/// x is cut off where a . x > b.
+struct Cut {
+  Vec3 a;
+  Real b;
+};
+
+bool unlimited(const Held& held) {
+  return std::all_of(held.contacts.begin(), held.contacts.end(), [](const Touch& contact) {
+    return contact.lo <= 0 && !std::isfinite(contact.hi);
+  });
+}
+
+/// Where y proves that load x needs an effort above t: 2 (y . B x - phi(G^T y)) > t. Without limits
+/// a longer or shorter y proves more, and the best length is known.
+Cut cut_by(const Held& held, const Load& load, const Vec& y, Real t) {
+  const Real speed = load.weight * velocity(y, load.com).norm();
+  const Real value = phi(held, y), slack = delta * worth(load, y);
+  const Real b = unlimited(held) ? std::sqrt(2 * std::max(value, Real{0}) * t) : t / 2 + value;
+  const Vec v = load.weight * velocity(y, load.com);
+  return {v.head<3>() / speed, (b + slack) / speed};
+}
+
+/// The distance from the origin beyond which nothing is left by the cuts: of the farthest vertex of
+/// what they leave. Dually, the reciprocal of the distance to the nearest facet of a hull.
+Real farthest_left(const std::vector<Cut>& cuts) {
+  std::vector<Vec> points;
+  for (const Cut& cut : cuts) points.emplace_back(cut.a / std::max(cut.b, nearest));
+  const auto facets = hull(points);
+  if (!facets) return std::numeric_limits<Real>::infinity();
+  Real distance = std::numeric_limits<Real>::infinity();
+  for (const Facet& facet : *facets) distance = std::min(distance, -facet.offset);
+  return distance > 0 ? 1 / distance : std::numeric_limits<Real>::infinity();
+}
+
+/// Checks that in the whole domain the effort is at least t (the greatest of the scenarios).
+void check_cuts(Claims& claims, const Held& held, const Field& root,
+                const std::optional<Tilt>& tilt, Real t, const std::string& words) {
+  std::vector<Cut> cuts;
+  bool behind = false;  // a cut that takes away the origin needs another proof
+  const Field list = root.get("cuts", "a list of cuts");
+  for (const Field& field : list.list()) {
+    if (const auto n = field.find("n")) {
+      const Vec normal = read_vector(*n, 3);
+      // The domain is a cone: its greatest n . x is that of the direction nearest to n.
+      Real most = normal.norm();
+      if (tilt) {
+        const Real along = normal.head<3>().dot(tilt->from);
+        const Real across = (normal.head<3>() - along * tilt->from).norm();
+        if (std::atan2(across, along) > tilt->most)
+          most = along * std::cos(tilt->most) + across * std::sin(tilt->most);
+      }
+      claims.check(*n, "n . x <= 0 in the whole domain [of n]", most / normal.norm(), 1e-9L);
+      cuts.push_back({normal.head<3>() / normal.norm(), nearest});
+      continue;
+    }
+    const Vec y = read_vector(field.get("y", "a twist, or n"), 6);
+    const Field scenario = field.get("scenario", "the number of a scenario");
+    const Real number = scenario.finite();
+    if (!(number >= 0 && number < static_cast<Real>(held.loads.size())) ||
+        number != std::floor(number))
+      scenario.fail("must be the number of a scenario");
+    const Cut cut = cut_by(held, held.loads[static_cast<std::size_t>(number)], y, t);
+    if (!std::isfinite(cut.b) || !cut.a.allFinite()) continue;  // y does not move the com
+    behind = behind || cut.b <= 0;
+    cuts.push_back(cut);
+  }
+  if (behind) {
+    claims.check(list, "cuts leave the origin: this program cannot check others", false);
+    return;
+  }
+  claims.check(list, words, farthest_left(cuts), 1 + 1e-6L);
+}
+
+Quaternion read_quaternion(const Field& field) {
+  const auto number = [&](const char* key) { return field.get(key, "a number").finite(); };
+  return {number("w"), number("x"), number("y"), number("z")};
+}
+
+/// Checks the turn from the present orientation to the best posture, in the world frame.
+void check_turn(Claims& claims, const Field& root, const Vec& up) {
+  const Quaternion before =
+      read_quaternion(root.get("options", "a mapping").get("orientation", "a quaternion"));
+  const Field field = root.get("rotation", "a quaternion");
+  const Quaternion turn = read_quaternion(field);
+  claims.check(field, "rotation has length 1", std::abs(turn.norm() - 1), 1e-12L);
+  claims.check(field, "rotation has w >= 0", turn.w() >= 0);
+  const Vec3 world = before.normalized() * Vec3(up.head<3>());
+  claims.check(field, "rotation takes up to the world's +z", (turn * world - Vec3::UnitZ()).norm(),
+               1e-11L);
+  // A turn takes no longer way than the angle between the two directions.
+  const Real angle = std::atan2(world.head<2>().norm(), world[2]);
+  const Real taken = 2 * std::atan2(turn.vec().norm(), turn.w());
+  claims.check(field, "rotation is the smallest [rad]", std::abs(taken - angle), 1e-7L);
+  const Field degrees = field.get("angle_deg", "an angle in degrees");
+  claims.check(degrees, "angle_deg is that of rotation [rad]",
+               std::abs(radians(degrees.finite()) - taken), 1e-11L);
+  const Field after = root.get("orientation", "a quaternion");
+  const Quaternion claimed = read_quaternion(after), expected = turn * before.normalized();
+  claims.check(after, "orientation is that after the rotation",
+               std::min((claimed.coeffs() - expected.coeffs()).norm(),
+                        (claimed.coeffs() + expected.coeffs()).norm()),
+               1e-11L);
+}
+
+std::optional<Tilt> read_tilt(const Field& options) {
+  const auto field = options.find("tilt");
+  if (!field || field->is_null()) return {};
+  const Vec from = read_vector(field->get("from", "a direction"), 3);
+  return Tilt{from.head<3>() / from.norm(), radians(field->get("max_deg", "an angle").finite())};
+}
+
+HoldClaim check_in_domain(Claims& claims, const Held& held, const Field& field,
+                          const std::optional<Tilt>& tilt, Real cap) {
+  const HoldClaim hold = check_hold(claims, held, field, cap);
+  claims.check(field, "an optimum is holdable", hold.holdable);
+  if (tilt) {
+    const Vec3 up = hold.up.head<3>();
+    claims.check(field, "the posture lies in the domain [rad]",
+                 std::atan2(tilt->from.cross(up).norm(), tilt->from.dot(up)) - tilt->most, 1e-8L);
+  }
+  return hold;
+}
+
+}  // namespace
+
+// The hull of the com and the contacts: seen from the com outside, the facets that meet there bound
+// the cone which the contacts span.
+Fork fork_in_space(const Held& held, const Load& load, const Vec& up) {
+  if (load.radius <= 0) return Fork::no;
+  std::vector<Vec> points{Vec::Zero(3)};
+  for (const Touch& contact : held.contacts)
+    points.emplace_back((contact.position - load.com) / load.radius);
+  const auto facets = hull(points);
+  if (!facets) return Fork::no;
+  Real most = -2;
+  for (const Facet& facet : *facets)
+    if (facet.offset >= -1e-9L) most = std::max(most, -facet.normal.dot(up));
+  if (most == -2) return Fork::no;  // the com is inside
+  points.erase(points.begin());
+  if (const auto contacts = hull(points)) {
+    Real outside = -1;
+    for (const Facet& facet : *contacts) outside = std::max(outside, facet.offset);
+    if (outside < 0.99e-9L) return Fork::no;
+  }
+  return most < -1e-9L ? Fork::yes : most > 1e-9L ? Fork::no : Fork::unclear;
+}
+
+void check_best_in_space(Claims& claims, const Held& held, const Field& root) {
+  const Field options = root.get("options", "a mapping");
+  const Real weights = options.get("force_cap", "a number of weights").finite();
+  const Real cap = weights * held.heaviest();
+  const auto tilt = read_tilt(options);
+  const Field status = root.get("status", "optimal, gap or unholdable");
+  const std::string& is = status.word({"optimal", "gap", "unholdable"});
+  const Field best = root.get("best", "a hold or null");
+  const Field pinched = root.get("best_pinched", "a hold or null");
+  const Field lower = root.get("lower_bound", "a number [N^2] or null");
+  const Field gap = root.get("relative_gap", "a number or null");
+  const Field list = root.get("minima", "a list of holds");
+  std::vector<HoldClaim> minima;
+  for (const Field& field : list.list())
+    minima.push_back(check_in_domain(claims, held, field, tilt, weights));
+  for (std::size_t k = 1; k < minima.size(); ++k)
+    claims.check(list, "minima are in the order of their effort",
+                 (minima[k - 1].effort - minima[k].effort) / minima[k].effort, 1e-8L);
+  claims.note("The list of local minima in space is not proven complete.");
+
+  if (is == "unholdable") {
+    for (const Field& field : {best, pinched, gap})
+      claims.check(field, "is null where nothing is held", field.is_null());
+    claims.check(list, "minima are empty where nothing is held", minima.empty());
+    check_cuts(claims, held, root, tilt, cap * cap,
+               "cuts prove that the force cap is not enough: they leave nothing outside the unit "
+               "ball");
+    return;
+  }
+  const Real bound = lower.finite();
+  if (bound > 0)
+    check_cuts(claims, held, root, tilt, bound,
+               "cuts prove lower_bound: they leave nothing outside the unit ball");
+  claims.check(best, "best is null only where the gap stays open", !best.is_null() || is == "gap");
+  if (best.is_null()) {
+    for (const Field& field : {pinched, gap})
+      claims.check(field, "is null where nothing was found", field.is_null());
+    claims.note("Nothing was found that can be held, nor a proof that nothing can.");
+    return;
+  }
+  const HoldClaim hold = check_in_domain(claims, held, best, tilt, weights);
+  claims.check(lower, "lower_bound is not above effort", (bound - hold.effort) / hold.effort,
+               1e-9L);
+  claims.check(gap, "relative_gap is (effort - lower_bound) / effort",
+               std::abs(gap.finite() - std::max(Real{0}, (hold.effort - bound) / hold.effort)),
+               1e-13L);
+  if (is == "optimal")
+    claims.check(gap, "the gap is the wanted one", (hold.effort - bound) / hold.effort,
+                 options.get("gap", "a number").finite() + 1e-9L);
+  for (const HoldClaim& minimum : minima)
+    claims.check(best, "best is the lowest of the minima",
+                 (hold.effort - minimum.effort) / hold.effort, 1e-8L);
+  if (!pinched.is_null()) {
+    const HoldClaim squeezed = check_in_domain(claims, held, pinched, tilt, weights);
+    claims.check(pinched, "best_pinched is pinched", squeezed.manner == "pinched");
+    claims.check(pinched, "best_pinched is one of the minima",
+                 std::any_of(minima.begin(), minima.end(), [&](const HoldClaim& minimum) {
+                   return (minimum.up - squeezed.up).norm() <= 1e-9L;
+                 }));
+  }
+  check_turn(claims, root, hold.up);
+}
+
+}  // namespace poise::verify

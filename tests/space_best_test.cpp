@@ -1,0 +1,350 @@
+// The best posture in space: its certificate by plain means, closed forms, and dense samples.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "poise/best_spatial_posture.hpp"
+#include "random_space_grasps.hpp"
+#include "space_checks.hpp"
+
+namespace poise::test::space {
+namespace {
+
+Contact<3> contact(const Vector<3>& position, const Vector<3>& normal, double friction,
+                   double torsion = 0) {
+  Contact<3> result;
+  result.position = position;
+  result.normal = normal;
+  result.friction = friction;
+  result.torsion = torsion;
+  return result;
+}
+
+/// Fingers round a ball, tilted a little: holdable in most postures.
+Held random_hand(std::size_t contacts, bool soft) {
+  Held held;
+  held.object.com = 0.2 * Vector<3>(coordinate(), coordinate(), coordinate());
+  for (std::size_t i = 0; i < contacts; ++i) {
+    const Vector<3> at = random_direction(), off = 0.3 * random_direction();
+    held.contacts.push_back(contact(at.cwiseProduct(Vector<3>(1, 1.5, 0.7)), -(at + off),
+                                    real(0.3, 1), soft ? real(0.05, 0.2) : 0));
+  }
+  return held;
+}
+
+std::vector<Vector<3>> sphere(int count) {
+  std::vector<Vector<3>> points;
+  for (int k = 0; k < count; ++k) {
+    const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(1 - z * z), turn = 2.399963 * k;
+    points.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+  }
+  return points;
+}
+
+/// Worst effort over the scenarios; infinite where unholdable.
+double effort_at(const std::vector<Grasp<3>>& scenarios, const Vector<3>& up) {
+  double worst = 0;
+  for (const Grasp<3>& grasp : scenarios) {
+    const Hold<3> found = hold(grasp, up);
+    if (!found.holdable) return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, found.effort);
+  }
+  return worst;
+}
+
+/// The certificate in a few lines that know nothing of polytopes: the farthest of all points where
+/// three planes of the cuts meet and that satisfy all cuts. Slow: for few cuts.
+Real farthest_of_all_corners(const std::vector<Grasp<3>>& scenarios, const std::vector<Cut>& cuts,
+                             Real t) {
+  std::vector<Real3> n;
+  std::vector<Real> b;
+  for (const Cut& c : cuts) {
+    if (c.n) {
+      n.push_back(c.n->cast<Real>());
+      b.push_back(0);
+    } else {
+      const Grasp<3>& grasp = scenarios[c.scenario];
+      const Real3 omega = c.y.tail<3>().cast<Real>();
+      const Real3 v = c.y.head<3>().cast<Real>() + omega.cross(grasp.object().com.cast<Real>());
+      n.push_back(Real{grasp.object().weight} * v);
+      b.push_back(t / 2 + support(grasp, c.y));
+    }
+    const Real norm = n.back().norm();
+    n.back() /= norm;
+    b.back() /= norm;
+  }
+  Real farthest = 0;
+  for (std::size_t i = 0; i < n.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t k = 0; k < j; ++k) {
+        Eigen::Matrix<Real, 3, 3> M;
+        M << n[i].transpose(), n[j].transpose(), n[k].transpose();
+        if (std::abs(M.determinant()) < 1e-9L) continue;
+        const Real3 x = M.inverse() * Real3(b[i], b[j], b[k]);
+        bool within = true;
+        for (std::size_t l = 0; l < n.size() && within; ++l)
+          within = n[l].dot(x) <= b[l] + 1e-10L * (1 + x.norm());
+        if (within) farthest = std::max(farthest, x.norm());
+      }
+  return farthest;
+}
+
+/// What is wrong with an answer, or nothing: V is sampled all over the sphere.
+std::string fault(const std::vector<Grasp<3>>& scenarios, const BestSpatialPosture& best,
+                  const SpatialSettings& settings, int samples) {
+  std::ostringstream words;
+  words.precision(12);
+  const double bound = best.lower_bound;
+  if (best.status == Status::unholdable && best.best) return "unholdable, but a best";
+  if (best.best) {
+    const SpatialPosture& b = *best.best;
+    if (std::abs(b.up.norm() - 1) > 1e-12) return "up is not a unit vector";
+    const std::string other = space::fault(scenarios[b.scenario], b.up, b.hold);
+    if (!other.empty()) return other;
+    if (!(bound <= b.effort())) return "the bound is above the effort";
+    if (std::abs(best.relative_gap - (b.effort() - bound) / b.effort()) > 1e-12) return "the gap";
+    if ((best.status == Status::optimal) != (best.relative_gap <= settings.gap))
+      return "the status";
+    if (settings.tilt &&
+        std::acos(std::min(1.0, b.up.dot(settings.tilt->from))) > settings.tilt->most + 1e-7)
+      return "the best is tilted too much";
+  }
+  for (const Vector<3>& up : sphere(samples)) {
+    if (settings.tilt && std::acos(up.dot(settings.tilt->from)) > settings.tilt->most) continue;
+    const double V = effort_at(scenarios, up);
+    if (best.status == Status::unholdable && V < std::numeric_limits<double>::infinity())
+      return "an unholdable grasp holds";
+    if (V < bound * (1 - 1e-9)) {
+      words << "V is " << V << " below the bound " << bound << " at " << up.transpose();
+      return words.str();
+    }
+  }
+  if (best.cuts.size() <= 45) {
+    const Real radius = farthest_of_all_corners(scenarios, best.cuts, bound);
+    if (radius > 1 + 1e-7L) {
+      words << "the cuts leave a point at " << static_cast<double>(radius);
+      return words.str();
+    }
+  }
+  return "";
+}
+
+RC_GTEST_PROP(SpaceBest, IsCertifiedForRandomHands, ()) {
+  if (!one_in(10)) return;
+  const bool soft = one_in(2);
+  const Held held = random_hand(static_cast<std::size_t>(pick(3, 8)), soft);
+  const std::vector<Grasp<3>> scenarios = {held.grasp()};
+  SpatialSettings settings;
+  settings.starts = 0;
+  const BestSpatialPosture best = best_posture(scenarios, settings);
+  RC_ASSERT(fault(scenarios, best, settings, 300) == "");
+  if (best.best) RC_ASSERT(best.status == Status::optimal || best.relative_gap < 1e-3);
+}
+
+RC_GTEST_PROP(SpaceBest, IsHonestForAnyGrasp, ()) {
+  if (!one_in(10)) return;
+  const Held held = *grasps({.most_contacts = 6});
+  const std::vector<Grasp<3>> scenarios = {held.grasp()};
+  SpatialSettings settings;
+  settings.starts = 0;
+  settings.max_holds = 200;
+  if (one_in(3)) settings.tilt = Tilt{random_direction(), real(0, pi / 2)};
+  const BestSpatialPosture best = best_posture(scenarios, settings);
+  RC_ASSERT(fault(scenarios, best, settings, 200) == "");
+}
+
+RC_GTEST_PROP(SpaceBest, OfScenariosIsTheirWorstCase, ()) {
+  if (!one_in(20)) return;
+  const Held held = random_hand(static_cast<std::size_t>(pick(4, 6)), true);
+  Held other = held;
+  other.object.weight = real(0.3, 1);
+  other.object.com += 0.2 * random_direction();
+  const std::vector<Grasp<3>> scenarios = {held.grasp(), other.grasp()};
+  SpatialSettings settings;
+  settings.starts = 0;
+  const BestSpatialPosture best = best_posture(scenarios, settings);
+  RC_ASSERT(fault(scenarios, best, settings, 300) == "");
+  if (!best.best) return;
+  RC_ASSERT(best.best->scenario_efforts.size() == 2U);
+  RC_ASSERT(close(effort_at(scenarios, best.best->up), best.best->effort(), 1e-9L));
+}
+
+RC_GTEST_PROP(SpaceBest, TurnsWithTheFrame, ()) {
+  if (!one_in(20)) return;
+  const Held held = random_hand(static_cast<std::size_t>(pick(3, 6)), true);
+  const Held turned = moved(held, random_rotation(), {coordinate(), coordinate(), coordinate()});
+  SpatialSettings settings;
+  settings.starts = 0;
+  const BestSpatialPosture a = best_posture(held.grasp(), settings);
+  const BestSpatialPosture b = best_posture(turned.grasp(), settings);
+  if (a.status == Status::optimal && b.status == Status::optimal)
+    RC_ASSERT(close(a.best->effort(), b.best->effort(), 3e-6L));
+}
+
+TEST(SpaceBest, OfACylinderInThreeFingersIsFound) {
+  // Three fingers round a cylinder, 10 N: the com 0.1 m above their plane.
+  Held held{{10, {0, 0, 0.1}}, {}};
+  for (int k = 0; k < 3; ++k) {
+    const double at = 2 * pi * k / 3;
+    const Vector<3> out(std::cos(at), std::sin(at), 0);
+    held.contacts.push_back(contact(out, -out, 0.8));
+  }
+  const BestSpatialPosture best = best_posture(held.grasp());
+  ASSERT_EQ(best.status, Status::optimal);
+  EXPECT_LE(best.relative_gap, 1e-6);
+  EXPECT_LT(best.holds, 300);
+  ASSERT_FALSE(best.minima.empty());
+  EXPECT_NEAR(best.minima.front().effort(), best.best->effort(), 1e-6);
+  for (std::size_t i = 1; i < best.minima.size(); ++i)
+    EXPECT_GE(best.minima[i].effort(), best.best->effort() * (1 - 2e-6));
+  for (const SpatialPosture& minimum : best.minima) {
+    const auto across = tangents(minimum.up);
+    for (int k = 0; k < 16; ++k)
+      for (const double off : {1e-4, 1e-3}) {
+        const Vector<3> beside =
+            minimum.up + off * (across * Vector<2>(std::cos(k * pi / 8), std::sin(k * pi / 8)));
+        EXPECT_GE(effort_at({held.grasp()}, beside.normalized()), minimum.effort() * (1 - 2e-6));
+      }
+  }
+  if (const SpatialPosture* pinched = best.best_pinched()) {
+    EXPECT_EQ(pinched->manner, Manner::pinched);
+    EXPECT_TRUE(all_loaded(held.grasp(), pinched->hold));
+  }
+}
+
+TEST(SpaceBest, OfTwoSoftJawsOnTheAxisEndsInBoundedTime) {
+  // A whole circle of equal V round the axis of the jaws; but along it one finger carries all.
+  Held held{{10, {0, 0, 0}},
+            {contact({1, 0, 0}, {-1, 0, 0}, 0.3, 0.05), contact({-1, 0, 0}, {1, 0, 0}, 0.3, 0.05)}};
+  const BestSpatialPosture best = best_posture(held.grasp());
+  ASSERT_TRUE(best.best);
+  EXPECT_NEAR(std::abs(best.best->up.x()), 1, 1e-3);
+  // With friction above 1 the circle is best: 2 (1 + 1 / mu^2) 5^2 < 10^2.
+  for (Contact<3>& c : held.contacts) c.friction = 2;
+  SpatialSettings settings;
+  settings.max_holds = 300;
+  const BestSpatialPosture circle = best_posture(held.grasp(), settings);
+  ASSERT_TRUE(circle.best);
+  EXPECT_LE(circle.holds, 310);
+  EXPECT_NEAR(circle.best->effort(), 62.5, 1e-2);
+  EXPECT_GE(circle.best->effort(), 62.5 * (1 - 1e-9));
+  EXPECT_LE(circle.lower_bound, 62.5 * (1 + 1e-9));
+  EXPECT_GT(circle.lower_bound, 62);
+}
+
+TEST(SpaceBest, OfTwoHardJawsIsInThePlaneThatTheyLeave) {
+  // The com is beside the line of the jaws: up must lie in the plane z = 0.
+  const Held held{{10, {0.1, 0.2, 0}},
+                  {contact({1, 0, 0}, {-1, 0, 0}, 2), contact({-1, 0, 0}, {1, 0, 0}, 2)}};
+  std::vector<Contact<2>> flat(2);
+  flat[0].position = {1, 0};
+  flat[0].normal = {-1, 0};
+  flat[1].position = {-1, 0};
+  flat[1].normal = {1, 0};
+  flat[0].friction = flat[1].friction = 2;
+  const Grasp<2> plane({10, {0.1, 0.2}}, flat);
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 200000; ++k) {
+    const Hold<2> found = hold(plane, up_at(2 * pi * k / 200000));
+    if (found.holdable) least = std::min(least, found.effort);
+  }
+  const BestSpatialPosture best = best_posture(held.grasp());
+  ASSERT_TRUE(best.best);
+  EXPECT_EQ(fault({held.grasp()}, best, {}, 2000), "");
+  EXPECT_NEAR(best.best->up.z(), 0, 1e-9);
+  EXPECT_NEAR(best.best->effort(), least, 1e-5 * least);
+  EXPECT_EQ(best.status, Status::optimal);
+}
+
+TEST(SpaceBest, OfOneFrictionlessFingerIsUprightOnIt) {
+  const Held held{{2, {0, 0, 1}}, {contact({0, 0, 0}, {0, 0, 1}, 0)}};
+  const BestSpatialPosture best = best_posture(held.grasp());
+  ASSERT_TRUE(best.best);
+  EXPECT_NEAR((best.best->up - Vector<3>(0, 0, 1)).norm(), 0, 1e-9);
+  EXPECT_NEAR(best.best->effort(), 4, 1e-9);
+}
+
+TEST(SpaceBest, OfWhatCannotBeHeldIsProven) {
+  // A frictionless contact whose line misses the com.
+  const Held held{{2, {0.1, 0, 1}}, {contact({0, 0, 0}, {0, 0, 1}, 0)}};
+  const BestSpatialPosture best = best_posture(held.grasp());
+  EXPECT_EQ(best.status, Status::unholdable);
+  EXPECT_FALSE(best.best);
+  EXPECT_GT(best.lower_bound, 4e12);
+  EXPECT_FALSE(best.cuts.empty());
+}
+
+TEST(SpaceBest, OfATiltedTrayStaysWithinTheTilt) {
+  Held held{{1, {0.2, 0.1, 0.5}}, {}};
+  for (int k = 0; k < 3; ++k) {
+    const double at = 2 * pi * k / 3;
+    held.contacts.push_back(contact({std::cos(at), std::sin(at), 0}, {0, 0, 1}, 0.5));
+  }
+  SpatialSettings free, tilted;
+  const std::vector<Grasp<3>> scenarios = {held.grasp()};
+  const BestSpatialPosture any = best_posture(scenarios, free);
+  ASSERT_TRUE(any.best);
+  tilted.tilt = Tilt{Vector<3>(0.3, 0, 1).normalized(), 0.1};
+  const BestSpatialPosture within = best_posture(scenarios, tilted);
+  ASSERT_TRUE(within.best);
+  EXPECT_EQ(within.status, Status::optimal);
+  EXPECT_EQ(fault(scenarios, within, tilted, 5000), "");
+  EXPECT_GE(within.best->effort(), any.best->effort() * (1 - 1e-9));
+  tilted.tilt->most = 0;
+  const BestSpatialPosture fixed = best_posture(scenarios, tilted);
+  ASSERT_TRUE(fixed.best);
+  EXPECT_NEAR((fixed.best->up - tilted.tilt->from).norm(), 0, 1e-9);
+  EXPECT_EQ(fixed.status, Status::optimal);
+}
+
+TEST(SpaceBest, WithLimitsIsHonest) {
+  for (int round = 0; round < 10; ++round) {
+    Held held{{1, {0.1, 0, 0.02 * round}}, {}};
+    for (int k = 0; k < 5; ++k) {
+      const double at = 2 * pi * k / 5 + 0.3 * round;
+      const Vector<3> out = Vector<3>(std::cos(at), std::sin(at), 0.3 * (k % 2) - 0.1).normalized();
+      held.contacts.push_back(contact(out, -out, 0.6));
+      held.contacts.back().max_normal = 0.8 + 0.1 * k;
+      if (round % 2 == 1 && k < 2) held.contacts.back().min_normal = 0.2;
+    }
+    const std::vector<Grasp<3>> scenarios = {held.grasp()};
+    SpatialSettings settings;
+    settings.starts = 0;
+    const BestSpatialPosture best = best_posture(scenarios, settings);
+    EXPECT_EQ(fault(scenarios, best, settings, 2000), "") << round;
+    if (round % 2 == 0) EXPECT_NE(best.status, Status::gap) << round << ' ' << best.relative_gap;
+  }
+}
+
+TEST(SpaceBest, SmallestTurnTakesUpToTheTop) {
+  for (const Vector<3>& up : sphere(50))
+    for (const Vector<3>& axis : sphere(7)) {
+      const Eigen::Quaterniond orientation(Eigen::AngleAxisd(1.3, axis));
+      const Eigen::Quaterniond turn = smallest_turn(orientation, up);
+      EXPECT_GE(turn.w(), 0);
+      EXPECT_NEAR(turn.norm(), 1, 1e-12);
+      EXPECT_NEAR((turn * (orientation * up) - Vector<3>::UnitZ()).norm(), 0, 1e-12);
+      const double angle = std::acos(std::clamp((orientation * up).z(), -1.0, 1.0));
+      EXPECT_NEAR(2 * std::acos(std::min(1.0, turn.w())), angle, 1e-7);
+    }
+  const Eigen::Quaterniond none = Eigen::Quaterniond::Identity();
+  EXPECT_TRUE(smallest_turn(none, Vector<3>::UnitZ()).isApprox(none));
+  EXPECT_TRUE(smallest_turn(none, -Vector<3>::UnitZ()).isApprox(Eigen::Quaterniond(0, 1, 0, 0)));
+}
+
+TEST(SpaceBest, RefusesMisuse) {
+  const Held held{{2, {0, 0, 1}}, {contact({0, 0, 0}, {0, 0, 1}, 0)}};
+  Held other = held;
+  other.contacts[0].friction = 1;
+  SpatialSettings settings;
+  EXPECT_THROW(best_posture({held.grasp(), other.grasp()}), InvalidGrasp);
+  EXPECT_THROW(best_posture(std::vector<Grasp<3>>{}), InvalidGrasp);
+  settings.gap = 0;
+  EXPECT_THROW(best_posture(held.grasp(), settings), InvalidGrasp);
+  settings.gap = 1e-6;
+  settings.tilt = Tilt{Vector<3>(0, 0, 1), 2};
+  EXPECT_THROW(best_posture(held.grasp(), settings), InvalidGrasp);
+}
+
+}  // namespace
+}  // namespace poise::test::space

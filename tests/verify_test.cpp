@@ -1,0 +1,304 @@
+// The verifier confirms what is right and refutes what is not.
+#include "verify/verify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "files/result.hpp"
+#include "files/spatial.hpp"
+#include "random_grasps.hpp"
+
+namespace poise {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using test::Held;
+
+PlanarFile file_of(const Held& held) {
+  PlanarFile file;
+  file.object = held.object;
+  file.contacts = held.contacts;
+  return file;
+}
+
+verify::Claims checked(const GraspFile& file, const std::string& text) {
+  return verify::verify(file, parse_json(text, "result.json", max_result));
+}
+
+std::string words(const verify::Claims& claims) {
+  std::ostringstream text;
+  for (const verify::Refutation& each : claims.refutations())
+    text << each.path << ": " << each.words << ": " << each.off << " of " << each.allowed << "\n";
+  return text.str();
+}
+
+std::string hold_text(const PlanarFile& file, double theta, double cap = 1e6) {
+  const Grasp<2> grasp = file.grasp();
+  return hold_document(grasp, theta, hold(grasp, up_at(theta), {cap}), {cap});
+}
+std::string best_text(const PlanarFile& file, const CurveSettings& settings = {}) {
+  const Grasp<2> grasp = file.grasp();
+  return best_document(grasp, best_posture(grasp, settings), settings);
+}
+std::string curve_text(const PlanarFile& file, const CurveSettings& settings = {}) {
+  const Grasp<2> grasp = file.grasp();
+  return curve_document(grasp, posture_curve(grasp, settings), settings);
+}
+
+void expect_confirmed(const PlanarFile& file, const std::string& text) {
+  RC_ASSERT(words(checked(file, text)) == "");
+}
+
+const CurveSettings any_domain() { return {*rc::gen::element(Domain::all, Domain::pinched)}; }
+
+RC_GTEST_PROP(Verify, ConfirmsHolds, ()) {
+  const Held held = *test::grasps();
+  expect_confirmed(file_of(held),
+                   hold_text(file_of(held), std::abs(*rc::gen::exec(test::random_angle))));
+}
+
+RC_GTEST_PROP(Verify, ConfirmsCurves, ()) {
+  const Held held = *test::grasps({.most_contacts = 5, .awkward = false});
+  expect_confirmed(file_of(held), curve_text(file_of(held), any_domain()));
+}
+
+RC_GTEST_PROP(Verify, ConfirmsTheBest, ()) {
+  const Held held = *test::grasps({.most_contacts = 5, .awkward = false});
+  expect_confirmed(file_of(held), best_text(file_of(held), any_domain()));
+}
+
+RC_GTEST_PROP(Verify, ConfirmsTheNearlyUnholdable, ()) {
+  const Held held = *test::nearly_unholdable();
+  expect_confirmed(file_of(held), best_text(file_of(held)));
+  expect_confirmed(file_of(held), curve_text(file_of(held)));
+}
+
+// Among degenerate grasps there are a few whose arcs are so steep that rounding spoils them.
+TEST(Verify, RefutesFewOfTheAwkward) {
+  int tried = 0, refuted = 0;
+  rc::check([&] {
+    const Held held = *test::grasps({.most_contacts = 5});
+    const verify::Claims claims = checked(file_of(held), best_text(file_of(held), any_domain()));
+    ++tried;
+    if (claims.confirmed()) return;
+    ++refuted;
+    if (std::getenv("POISE_SHOW")) std::cerr << held << "\n" << words(claims) << "\n";
+  });
+  EXPECT_GE(tried, 100);
+  EXPECT_LE(refuted, tried / 400);
+}
+
+/// Keys below which nothing is claimed: proofs, which may be any that prove, what was asked for,
+/// and what is stated for information.
+bool claims_nothing(const std::string& key) {
+  for (const char* word : {"dual", "y", "options", "residual", "poise_result", "cuts", "holds"})
+    if (key == word) return true;
+  return false;
+}
+
+/// Calls f for every number below `value` that carries a claim; `scale` is that of its list.
+void for_each_claim(Json& value, const std::string& path, double scale,
+                    const std::function<void(double&, const std::string&, double)>& f) {
+  if (value.is_object()) {
+    for (auto& [key, part] : value.items())
+      if (!claims_nothing(key)) for_each_claim(part, path + "." + key, 0, f);
+  } else if (value.is_array()) {
+    double largest = 0;
+    for (const Json& part : value)
+      if (part.is_number()) largest = std::max(largest, std::abs(part.get<double>()));
+    for (std::size_t i = 0; i < value.size(); ++i)
+      for_each_claim(value[i], path + "[" + std::to_string(i) + "]", largest, f);
+  } else if (value.is_number()) {
+    double number = value.get<double>();
+    f(number, path, scale);
+    value = number;
+  }
+}
+
+/// Numbers that are zero but for rounding: compared with the others of their vector, or with
+/// `zero`. Angles end where rounding puts them, within 2e-8 rad.
+bool is_rounding(double number, const std::string& path, double scale, double weight) {
+  if (path.ends_with("_deg") || path.find("_arcs_deg") != path.npos) return std::abs(number) < 0.2;
+  if (path.find(".V.") != path.npos) return std::abs(number) < 1e-4 * weight * weight;
+  if (path.ends_with("relative_gap")) return std::abs(number) < 1e-8;
+  return std::abs(number) <= std::max(1e-3 * scale, 1e-6);
+}
+
+void expect_spoilt_refused(const GraspFile& file, const std::string& text, double weight) {
+  ASSERT_EQ(words(checked(file, text)), "");
+  int spoilt = 0;
+  Json document = Json::parse(text);
+  for_each_claim(document, "", 0, [&](double& number, const std::string& path, double scale) {
+    if (is_rounding(number, path, scale, weight)) return;
+    ++spoilt;
+  });
+  EXPECT_GT(spoilt, 5);
+  for (int k = 0; k < spoilt; ++k) {
+    Json copy = Json::parse(text);
+    int at = 0;
+    std::string where;
+    for_each_claim(copy, "", 0, [&](double& number, const std::string& path, double scale) {
+      if (is_rounding(number, path, scale, weight) || at++ != k) return;
+      number *= 1 + 1e-5;
+      where = path;
+    });
+    EXPECT_FALSE(checked(file, copy.dump()).confirmed()) << where;
+  }
+}
+
+PlanarFile example(const std::string& name) {
+  return std::get<PlanarFile>(read_grasp_file(POISE_EXAMPLES "/" + name + ".yaml"));
+}
+
+/// Nothing holds it: both fingers push the same way, beside the centre of mass.
+PlanarFile not_to_be_held() {
+  PlanarFile file;
+  file.object = {10, {0, 1}};
+  file.contacts = {{{1, 0}, {0, 1}, 0.1}, {{1.5, 0}, {0, 1}, 0.1}};
+  return file;
+}
+
+TEST(Verify, RefusesEveryNumberThatIsOff) {
+  for (const char* name : {"ito-fig6", "l-part", "hexagon-three-fingers"}) {
+    SCOPED_TRACE(name);
+    const PlanarFile file = example(name);
+    expect_spoilt_refused(file, hold_text(file, file.angle.value_or(0.3)), file.object.weight);
+    expect_spoilt_refused(file, curve_text(file), file.object.weight);
+    expect_spoilt_refused(file, best_text(file), file.object.weight);
+    expect_spoilt_refused(file, best_text(file, {Domain::pinched}), file.object.weight);
+  }
+}
+
+TEST(Verify, RefusesNumbersOfWhatCannotBeHeld) {
+  const PlanarFile file = not_to_be_held();
+  for (const std::string& text : {hold_text(file, 1), best_text(file)})
+    EXPECT_EQ(words(checked(file, text)), "");
+  Json hold = Json::parse(hold_text(file, 1));
+  hold["lower_bound"] = hold["lower_bound"].get<double>() * (1 + 1e-5);
+  EXPECT_FALSE(checked(file, hold.dump()).confirmed());
+  hold = Json::parse(hold_text(file, 1));
+  hold["angle_deg"] = hold["angle_deg"].get<double>() * (1 + 1e-5);
+  EXPECT_FALSE(checked(file, hold.dump()).confirmed());
+}
+
+TEST(Verify, RefusesProofsThatDoNotProve) {
+  const auto flip = [](Json& y) {
+    for (Json& number : y) number = -number.get<double>();
+  };
+  const PlanarFile no = not_to_be_held();
+  Json hold = Json::parse(hold_text(no, 1));
+  flip(hold["dual"]);
+  EXPECT_FALSE(checked(no, hold.dump()).confirmed());
+
+  for (const PlanarFile& file : {no, example("hexagon-three-fingers")}) {
+    const Json best = Json::parse(best_text(file));
+    ASSERT_GT(best["unholdable_arcs"].size(), 0U);
+    for (std::size_t k = 0; k < best["unholdable_arcs"].size(); ++k) {
+      Json copy = best;
+      flip(copy["unholdable_arcs"][k]["y"]);
+      EXPECT_FALSE(checked(file, copy.dump()).confirmed()) << k;
+      copy = best;
+      copy["unholdable_arcs"].erase(k);
+      EXPECT_FALSE(checked(file, copy.dump()).confirmed()) << k;
+    }
+  }
+  const PlanarFile disk = example("ito-fig6");
+  for (const std::string& text : {best_text(disk), curve_text(disk)}) {
+    const Json document = Json::parse(text);
+    for (std::size_t k = 0; k < document["arcs"].size(); ++k) {
+      Json copy = document;
+      copy["arcs"].erase(k);
+      EXPECT_FALSE(checked(disk, copy.dump()).confirmed()) << k;
+    }
+    const char* list = document.contains("minima") ? "minima" : "optima";
+    for (std::size_t k = 0; k < document[list].size(); ++k) {
+      Json copy = document;
+      copy[list].erase(k);
+      EXPECT_FALSE(checked(disk, copy.dump()).confirmed()) << k;
+    }
+  }
+}
+
+/// A part on three fingers, one of them soft; it slips off unless it is nearly upright.
+SpatialFile on_three_fingers(const std::string& tilt) {
+  return std::get<SpatialFile>(grasp_from_yaml(
+      "poise: 1\ndimension: 3\nobject: {weight: 10, com: [0.1, 0.05, 0.9]}\n" + tilt +
+          "contacts:\n"
+          "  - {position: [1, 0, 0], normal: [0, 0, 1], friction: 0.3}\n"
+          "  - {position: [-0.5, 0.866, 0], normal: [0.1, 0, 1], friction: 0.3, torsion: 0.1}\n"
+          "  - {position: [-0.5, -0.866, 0], normal: [0, 0, 1], friction: 0.3}\n",
+      "three.yaml"));
+}
+
+std::string best_text(const SpatialFile& file, const Eigen::Quaterniond& orientation) {
+  SpatialSettings settings;
+  settings.tilt = file.tilt;
+  return best_document(file.grasps(), best_posture(file.grasps(), settings), settings, orientation);
+}
+
+TEST(Verify, RefusesWhatIsOffInSpace) {
+  const Eigen::Quaterniond lying(Eigen::AngleAxisd(1.2, Vector<3>(0.6, 0.64, 0.48)));
+  const SpatialFile file = on_three_fingers("tilt: {from: [0.1, 0, 1], max_deg: 20}\n");
+  const Vector<3> up = Vector<3>(0.1, 0.05, 1).normalized();
+  expect_spoilt_refused(file, hold_document(file.grasps(), hold_all(file.grasps(), up), {}, {}),
+                        10);
+  expect_spoilt_refused(file, best_text(file, lying), 10);
+}
+
+TEST(Verify, RefusesCutsThatDoNotProve) {
+  const auto none = Eigen::Quaterniond::Identity();
+  for (const char* tilt : {"", "tilt: {from: [0, 0, -1], max_deg: 30}\n"}) {
+    const SpatialFile file = on_three_fingers(tilt);
+    const Json best = Json::parse(best_text(file, none));
+    EXPECT_EQ(best["status"], *tilt ? "unholdable" : "optimal");
+    EXPECT_EQ(words(checked(file, best.dump())), "");
+    int needed = 0, turned = 0;
+    for (std::size_t k = 0; k < best["cuts"].size(); ++k) {
+      Json copy = best;
+      copy["cuts"].erase(k);
+      needed += checked(file, copy.dump()).confirmed() ? 0 : 1;
+      copy = best;
+      for (Json& number :
+           copy["cuts"][k].contains("y") ? copy["cuts"][k]["y"] : copy["cuts"][k]["n"])
+        number = -number.get<double>();
+      turned += checked(file, copy.dump()).confirmed() ? 0 : 1;
+    }
+    EXPECT_GE(needed, 3);
+    EXPECT_GE(turned, 3);
+  }
+}
+
+TEST(Verify, RefusesTheResultOfAnotherGrasp) {
+  EXPECT_FALSE(checked(example("ito-fig6"), best_text(example("l-part"))).confirmed());
+}
+
+TEST(Verify, NamesWhatIsMissing) {
+  const PlanarFile file = example("l-part");
+  const auto problem = [&](const std::string& text) -> std::string {
+    try {
+      checked(file, text);
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  Json best = Json::parse(best_text(file));
+  best["unknown"] = {{"is", "ignored"}};
+  EXPECT_EQ(problem(best.dump()), "");
+  best["best"].erase("effort");
+  EXPECT_NE(problem(best.dump()).find("best.effort: is missing, must be a number"),
+            std::string::npos);
+  EXPECT_EQ(problem("{\"poise_result\": 1,\n \"command\": 3}"),
+            "result.json:2:13: command: is 3, must be check, hold, best or curve");
+  EXPECT_EQ(problem("[1]"), "result.json:1:1: is a list of 1, must be a mapping");
+  EXPECT_EQ(problem("{\"a\": 1, \"a\": 2}"), "result.json:1:10: \"a\" is given twice");
+  EXPECT_NE(problem("{\"poise_result\": 2}").find("must be 1"), std::string::npos);
+  EXPECT_NE(problem("nonsense").find("result.json:1:1: a value expected"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace poise
