@@ -26,6 +26,7 @@ _poise() {
         --orientation'
       ;;
     curve) flags='-h --help --json --domain --force-cap --plot' ;;
+    view) flags='-h --help -o --out' ;;
     paper) flags='-h --help --json --out --phi --mu1 --mu2 --weight' ;;
     *) return ;;
   esac
@@ -33,6 +34,7 @@ _poise() {
   case $before in
     --domain) mapfile -t COMPREPLY < <(compgen -W 'all pinched' -- "$word") ;;
     --plot) _poise_files svg ;;
+    -o) _poise_files html ;;
     --out)
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$word")
@@ -43,7 +45,7 @@ _poise() {
       if [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$flags" -- "$word")
       elif [[ -z $command ]]; then
-        mapfile -t COMPREPLY < <(compgen -W 'check hold best curve verify paper' -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W 'check hold best curve verify view paper' -- "$word")
       elif [[ $command != paper ]]; then
         _poise_files 'yaml|yml|json'
       fi

@@ -9,3 +9,6 @@ install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
   FILES_MATCHING PATTERN "*.md" PATTERN "*.svg")
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+# The page of `poise view`, if ./dev web has built it.
+install(FILES web/dist/playground.html DESTINATION ${CMAKE_INSTALL_DATADIR}/poise
+  COMPONENT program OPTIONAL)

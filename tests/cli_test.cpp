@@ -103,7 +103,8 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
     std::string arguments, words;
   } usages[] = {
       {"", "A subcommand is required"},
-      {"hodl 4c.yaml", "unknown command 'hodl', must be check, hold, best, curve, verify or paper"},
+      {"hodl 4c.yaml",
+       "unknown command 'hodl', must be check, hold, best, curve, verify, view or paper"},
       {"best", "FILE is required"},
       {"paper", "--out is required"},
       {"paper --out ''", "--out: '' is not a directory"},

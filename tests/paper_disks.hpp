@@ -14,7 +14,7 @@ struct PaperRow {
   double rounding;  ///< of V_b
 };
 
-inline const double root3 = std::sqrt(3.0);
+inline constexpr double root3 = 1.7320508075688772;
 inline const std::vector<PaperRow> paper_table{
     {{.phi = study::pi / 3, .mu1 = root3, .mu2 = root3}, 0, 12.2474, 200, 1e-9},
     {{.phi = study::pi / 3, .mu1 = 1, .mu2 = 1}, 0, 26.3896, 746.4102, 5e-5},

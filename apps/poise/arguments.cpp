@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "files/text.hpp"
@@ -115,6 +116,11 @@ Domain read_domain(const std::string& text) {
   throw UsageError("--domain: " + quoted(text) + " must be all or pinched");
 }
 
+/// Where `view` writes to unless told: in the present folder.
+std::string page_of(const std::string& file) {
+  return (file == "-" ? "grasp" : std::filesystem::path(file).stem().string()) + ".html";
+}
+
 std::string full_name(const CLI::App& command) {
   return (command.get_parent() ? "poise " : "") + command.get_name();
 }
@@ -134,6 +140,7 @@ struct Parser {
   Arguments arguments{};
   std::optional<std::string> angle{}, up{}, domain{}, force_cap{}, phi{}, mu1{}, mu2{}, weight{};
   std::optional<std::string> gap{}, max_holds{}, tilt_from{}, tilt_max{}, orientation{};
+  std::optional<std::string> page{};
 
   Parser() {
     app.name("poise");
@@ -185,7 +192,17 @@ struct Parser {
                      "What check, hold, best or curve printed by --json")
         ->type_name("")
         ->required();
+    add_view();
     add_paper();
+  }
+
+  void add_view() {
+    CLI::App* const view =
+        app.add_subcommand("view", "Write a page on which to turn and change the grasp")
+            ->group("Commands");
+    view->add_option("FILE", arguments.file, "The grasp file")->type_name("")->required();
+    view->add_option("-o,--out", page, "The page to write (the name of FILE, with .html)")
+        ->type_name("HTML");
   }
 
   void add_paper() {
@@ -224,6 +241,7 @@ struct Parser {
                         : name == "best"   ? Command::best
                         : name == "curve"  ? Command::curve
                         : name == "verify" ? Command::verify
+                        : name == "view"   ? Command::view
                                            : Command::paper;
     if (angle) arguments.angle_deg = read_angle(*angle);
     if (up) arguments.up = read_direction("--up", *up, 2, 3, "0.5,0.8 (in space 0.5,0,0.8)");
@@ -234,6 +252,8 @@ struct Parser {
     if (orientation) arguments.orientation = read_orientation(*orientation);
     if (domain) arguments.domain = read_domain(*domain);
     if (arguments.plot && arguments.plot->empty()) throw UsageError("--plot: '' is not a file");
+    if (page && page->empty()) throw UsageError("--out: '' is not a file");
+    arguments.page = page ? *page : page_of(arguments.file);
     PaperArguments& paper = arguments.paper;
     if (arguments.command == Command::paper && paper.out.empty())
       throw UsageError("--out: '' is not a directory");
@@ -259,7 +279,7 @@ struct Parser {
                        options_of(command));
     if (before)
       throw UsageError("unknown command " + quoted(word) +
-                       ", must be check, hold, best, curve, verify or paper");
+                       ", must be check, hold, best, curve, verify, view or paper");
     throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
                      (command.get_name() == "paper"    ? "no FILE"
                       : command.get_name() == "verify" ? "one FILE and one RESULT"

@@ -12,7 +12,7 @@
 
 namespace poise {
 
-enum class Command { check, hold, best, curve, verify, paper };
+enum class Command { check, hold, best, curve, verify, view, paper };
 
 /// What `paper` draws beside the paper's own figures; what is not given is that of Fig. 6.
 struct PaperArguments {
@@ -38,6 +38,7 @@ struct Arguments {
   std::optional<double> tilt_max_deg{};             ///< 0 to 90
   std::optional<Eigen::Quaterniond> orientation{};  ///< object to world
   std::optional<std::string> plot{};                ///< the SVG file to draw
+  std::string page{};                               ///< the file to write the page to
   PaperArguments paper{};
 };
 

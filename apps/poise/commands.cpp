@@ -13,6 +13,7 @@
 #include "plot.hpp"
 #include "report.hpp"
 #include "verify.hpp"
+#include "view.hpp"
 
 namespace poise {
 namespace {
@@ -90,6 +91,8 @@ Answer answer_in(const PlanarFile& file, const Arguments& arguments) {
       return answer_hold(arguments, file, grasp);
     case Command::best:
       return answer_best(arguments, file, grasp, settings);
+    case Command::view:
+      return {view(file, arguments.page)};
     default:
       return answer_curve(arguments, file, grasp, settings);
   }
@@ -143,6 +146,8 @@ Answer answer_in(const SpatialFile& file, const Arguments& arguments) {
   if (arguments.command == Command::curve)
     throw UsageError("curve: is for the plane, " + in_space +
                      ", where postures make no curve: ask for best");
+  if (arguments.command == Command::view)
+    throw UsageError("view: is for the plane, " + in_space + ", which the page does not show yet");
   if (arguments.angle_deg)
     throw UsageError("--angle: is for the plane, " + in_space + ": give --up X,Y,Z");
   if (arguments.up.size() == 2) throw UsageError("--up: has 2 numbers, must have 3: " + in_space);

@@ -27,7 +27,7 @@ expect() {  # offered words, then the command line
   failures=$((failures + 1))
 }
 
-expect best,check,curve,hold,paper,verify poise ''
+expect best,check,curve,hold,paper,verify,view poise ''
 expect check,curve poise c
 expect --help,--version poise --
 expect disk.json,disk.yaml,parts,'two words.yml' poise best ''
@@ -45,7 +45,7 @@ expect '' poise nonsense ''
 expect --angle poise hold disk.yaml --a
 
 # Every flag that the program knows, and no other.
-for command in '' check hold best curve verify paper; do
+for command in '' check hold best curve verify view paper; do
   known=$("$program" ${command:+"$command"} --help |
     sed -nE 's/^  (-h,)?(--[a-z0-9-]+).*/\2/p' | sort | paste -sd ,)
   expect "$known" poise ${command:+"$command"} --

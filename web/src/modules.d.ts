@@ -1,0 +1,19 @@
+/** The WebAssembly core as emscripten writes it. */
+declare module '@core' {
+  export interface Core {
+    ccall(name: 'poise_answer', result: 'string', types: ['string'], values: [string]): string;
+  }
+  export default function create(options: { wasmBinary: ArrayBuffer }): Promise<Core>;
+}
+
+/** Its WebAssembly, gzip as base64. */
+declare module 'virtual:core' {
+  const text: string;
+  export default text;
+}
+
+/** A grasp file of examples/, as JSON. */
+declare module '@examples/*' {
+  const grasp: import('./grasp').Grasp;
+  export default grasp;
+}

@@ -1,0 +1,318 @@
+// The posture curve: drawn from its arcs, with the present posture as a handle.
+import type { Kind, Optimum, Range } from './core';
+import { contains, effortOn, onAxis, samples } from './curve';
+import type { Point } from './grasp';
+import { alphas, asPaper } from './paper';
+import type { Model } from './state';
+import { draggable, keySteps, line, node, path, place, set, text } from './svg';
+import { degrees, plain, wrapped } from './words';
+
+export interface View {
+  squared: boolean;
+  logarithmic: boolean;
+  bounds: boolean;
+}
+
+const margin = { left: 58, right: 16, top: 14, bottom: 38 };
+
+export class Plot {
+  readonly view: View = { squared: false, logarithmic: false, bounds: false };
+  private readonly picture = node('svg', { 'aria-label': 'The least effort over all postures' });
+  private readonly layers = node('g', { class: 'passive' });
+  private readonly area = node('rect', { class: 'area' });
+  private readonly marks = node('g');
+  private readonly handle = node('g', { class: 'handle posture', tabindex: 0, role: 'slider' });
+  private size: Point = [600, 300];
+
+  constructor(
+    parent: HTMLElement,
+    private readonly model: Model,
+  ) {
+    this.picture.append(
+      node(
+        'defs',
+        {},
+        node(
+          'pattern',
+          { id: 'hatch', width: 6, height: 6, patternUnits: 'userSpaceOnUse', patternTransform: 'rotate(45)' },
+          node('rect', { width: 6, height: 6, class: 'hatch-ground' }),
+          node('line', { x1: 0, y1: 0, x2: 0, y2: 6, class: 'hatch-line' }),
+        ),
+        node('clipPath', { id: 'inside' }, node('rect')),
+      ),
+      this.area,
+      this.layers,
+      this.marks,
+      this.handle,
+    );
+    parent.prepend(this.picture);
+    set(this.handle, { 'aria-label': 'Posture', 'aria-valuemin': -180, 'aria-valuemax': 180 });
+    const follow = (event: PointerEvent) => {
+      const angle = this.angleAt(place(this.picture, event)[0]);
+      this.model.turnTo(this.model.snapped(angle, (5 * 360) / this.width()));
+    };
+    for (const element of [this.area, this.handle])
+      draggable(element, (event) => {
+        follow(event);
+        this.handle.focus();
+        return follow;
+      });
+    keySteps(this.handle, (dx, dy) => this.model.turnTo(this.model.angle + dx + dy));
+  }
+
+  /** By factors of ten where the curve climbs far above its lowest point. */
+  suitScale(): void {
+    const { low, high } = this.range();
+    this.view.logarithmic = high > 20 * low;
+  }
+
+  private showsBounds = () =>
+    this.view.bounds && !this.view.squared && asPaper(this.model.answers.grasp) !== undefined;
+  private width = () => this.size[0] - margin.left - margin.right;
+  private height = () => this.size[1] - margin.top - margin.bottom;
+  private x = (angle: number) => margin.left + ((angle + 180) / 360) * this.width();
+  private angleAt = (x: number) =>
+    Math.min(180, Math.max(-180, ((x - margin.left) / this.width()) * 360 - 180));
+  private value = (effort: number) => (this.view.squared ? effort : Math.sqrt(effort));
+
+  /** Force norms worth seeing: up to a thousand times the lowest, or to the last minimum. */
+  private range(): { low: number; high: number } {
+    const { curve, best } = this.model.answers;
+    if (!best.best) return { low: 1, high: 10 };
+    const low = best.best.force_norm;
+    const minima = curve.optima.filter((each) => each.type === 'min').map((each) => each.force_norm);
+    const efforts = samples(curve, 1).flat().map(([, effort]) => effort);
+    const highest = Math.max(low, Math.sqrt(Math.max(0, ...efforts)));
+    return { low, high: Math.min(highest, Math.max(1000 * low, 3 * Math.max(...minima))) };
+  }
+
+  draw(): void {
+    const box = this.picture.getBoundingClientRect();
+    this.size = [box.width || 600, box.height || 300];
+    const [width, height] = this.size;
+    set(this.picture, { viewBox: `0 0 ${width} ${height}` });
+    const frame = { x: margin.left, y: margin.top, width: this.width(), height: this.height() };
+    set(this.area, frame);
+    set(this.picture.querySelector('clipPath rect')!, frame);
+
+    const y = this.vertical();
+    const inside = node('g', { 'clip-path': 'url(#inside)' });
+    inside.append(...this.shades(), ...this.grid(y.ticks, y.at));
+    if (this.showsBounds()) inside.append(...this.bounds(y.at));
+    const { curve } = this.model.answers;
+    for (const points of samples(curve, 180 / this.width()))
+      inside.append(
+        node('path', {
+          d: path(points.map(([angle, effort]): Point => [this.x(angle), y.at(this.value(effort))])),
+          class: 'curve',
+        }),
+      );
+    const now = this.x(this.model.angle);
+    inside.append(line([now, margin.top], [now, margin.top + this.height()], 'now'));
+    this.layers.replaceChildren(inside, ...this.axes(y.ticks, y.at));
+    this.drawOptima(y.at);
+    this.drawHandle(y.at);
+  }
+
+  private vertical(): { at: (value: number) => number; ticks: number[] } {
+    const { low, high } = this.range();
+    const [least, most] = [this.value(low * low), this.value(high * high)];
+    const { logarithmic } = this.view;
+    const [bottom, top] = logarithmic ? [0.45 * least, 1.7 * most] : [0, 1.12 * most];
+    const part = (value: number) =>
+      logarithmic
+        ? Math.log(Math.max(value, 1e-300) / bottom) / Math.log(top / bottom)
+        : value / top;
+    const floor = margin.top + this.height();
+    return {
+      at: (value) => Math.min(Math.max(floor - part(value) * this.height(), -1e4), 1e4),
+      ticks: logarithmic ? decades(bottom, top) : steps(top, this.height() / 45),
+    };
+  }
+
+  private shades(): Node[] {
+    const shade = ([from, to]: Range, kind: string) =>
+      onAxis([from, to]).map(([low, high]) =>
+        node('rect', {
+          x: this.x(low),
+          y: margin.top,
+          width: Math.max(this.x(high) - this.x(low), 0),
+          height: this.height(),
+          class: kind,
+        }),
+      );
+    const { check, best } = this.model.answers;
+    return [
+      ...(check.cradled_deg ? shade(check.cradled_deg, 'cradled') : []),
+      ...best.unholdable_arcs.flatMap((arc) => shade([arc.from_deg, arc.to_deg], 'unholdable')),
+    ];
+  }
+
+  private horizontalTicks(): number[] {
+    const step = this.width() < 400 ? 90 : 45;
+    return Array.from({ length: 360 / step + 1 }, (_, k) => -180 + k * step);
+  }
+
+  private grid(ticks: number[], at: (value: number) => number): Node[] {
+    const [left, right] = [this.x(-180), this.x(180)];
+    return [
+      ...ticks.map((tick) => line([left, at(tick)], [right, at(tick)], 'grid')),
+      ...this.horizontalTicks().map((angle) =>
+        line([this.x(angle), margin.top], [this.x(angle), margin.top + this.height()], 'grid'),
+      ),
+    ];
+  }
+
+  private axes(ticks: number[], at: (value: number) => number): Node[] {
+    const floor = margin.top + this.height();
+    const title = this.view.squared ? 'effort V [N²]' : 'force norm √V [N]';
+    const vertical = text(title, [0, 0], 'title');
+    set(vertical, { transform: `translate(13 ${margin.top + this.height() / 2}) rotate(-90)` });
+    const exists = this.model.answers.best.best;
+    return [
+      line([margin.left, margin.top], [margin.left, floor], 'axis'),
+      line([margin.left, floor], [this.x(180), floor], 'axis'),
+      vertical,
+      text('object turned counter-clockwise', [this.x(0), floor + 33], 'title'),
+      ...this.horizontalTicks().map((angle) => text(`${angle}°`, [this.x(angle), floor + 16], 'tick')),
+      ...(exists
+        ? ticks.map((tick) => text(short(tick), [margin.left - 7, at(tick) + 4], 'tick', 'end'))
+        : [text('cannot be held in any posture', [this.x(0), margin.top + this.height() / 2], 'nowhere')]),
+    ];
+  }
+
+  /** The paper's lower bounds on the internal force, in its range of pinching up. */
+  private bounds(at: (value: number) => number): Node[] {
+    const paper = asPaper(this.model.answers.grasp);
+    if (!paper) return [];
+    const range = 180 - (paper.phi * 180) / Math.PI;
+    const steps = 200;
+    const angles = Array.from({ length: steps + 1 }, (_, k) => range * ((2 * k) / steps - 1));
+    const names = ['α₁', 'α₂', 'α₃ = α₄', '', 'α₅', 'α₆'];
+    return names.flatMap((name, k) => {
+      if (!name) return [];
+      const value = (angle: number) => alphas(paper, paper.axis + angle)[k]!;
+      if (!Number.isFinite(value(0))) return [];
+      const shown = angles.filter((angle) => value(angle) > 0);
+      const lines = runs(shown, (2.5 * range) / steps).flatMap(([from, to]) =>
+        [-360, 0, 360].map((turn) =>
+          node('path', {
+            d: path(
+              angles
+                .filter((angle) => angle >= from && angle <= to)
+                .map((angle): Point => [this.x(paper.axis + angle + turn), at(value(angle))]),
+            ),
+            class: `bound bound-${k + 1}`,
+          }),
+        ),
+      );
+      // Named where it is in sight, each at another part of the way.
+      const floor = margin.top + this.height();
+      const visible = shown.filter((angle) => at(value(angle)) > margin.top + 18 && at(value(angle)) < floor - 6);
+      const angle = visible[Math.floor(visible.length * [0.6, 0.4, 0.93, 0, 0.62, 0.3][k]!)];
+      if (angle === undefined) return lines;
+      const where: Point = [this.x(wrapped(paper.axis + angle)), at(value(angle)) + 4];
+      return [...lines, text(name, where, 'bound-name')];
+    });
+  }
+
+  private drawOptima(at: (value: number) => number): void {
+    const taken: { x: number; y: number; half: number }[] = [];
+    const { best } = this.model.answers;
+    const marks = this.model.answers.curve.optima.map((optimum) => {
+      const centre: Point = [this.x(optimum.angle_deg), at(this.value(optimum.effort))];
+      const mark = node('g', { class: `optimum ${optimum.type}` });
+      if (centre[1] < margin.top - 1) return mark;
+      mark.append(
+        node('path', { d: symbol(optimum.kind, centre), class: 'symbol' }),
+        node('title', {}, sentence(optimum)),
+      );
+      mark.addEventListener('click', () => this.model.turnTo(optimum.angle_deg));
+      if (optimum.type === 'max' || this.showsBounds()) return mark;
+      const name =
+        best.best?.angle_deg === optimum.angle_deg
+          ? 'best'
+          : best.best_pinched?.angle_deg === optimum.angle_deg
+            ? 'best pinched'
+            : optimum.manner;
+      const words = `${name}, ${optimum.kind}`;
+      const half = 3 * words.length + 2;  // about: 12 px high
+      const below = centre[1] + 34 < margin.top + this.height();
+      const x = Math.min(Math.max(centre[0], margin.left + half), this.x(180) - half);
+      const y = centre[1] + (below ? 20 : -24);
+      if (taken.some((other) => Math.abs(other.x - x) < other.half + half && Math.abs(other.y - y) < 28)) return mark;
+      taken.push({ x, y, half });
+      mark.append(
+        text(degrees(optimum.angle_deg), [x, y], 'optimum-label'),
+        text(words, [x, y + 13], 'optimum-label kind'),
+      );
+      return mark;
+    });
+    this.marks.replaceChildren(...marks);
+  }
+
+  private drawHandle(at: (value: number) => number): void {
+    const { angle } = this.model;
+    const { hold, curve } = this.model.answers;
+    const x = this.x(angle);
+    const floor = margin.top + this.height();
+    const arc = curve.arcs.find((each) => contains([each.from_deg, each.to_deg], angle));
+    const effort = hold.holdable ? hold.effort : arc ? effortOn(arc, angle) : undefined;
+    const y = effort === undefined ? floor : Math.max(at(this.value(effort)), margin.top);
+    this.handle.replaceChildren(
+      node('rect', { x: x - 12, y: margin.top, width: 24, height: this.height(), class: 'grab' }),
+      effort === undefined
+        ? node('path', { d: `M${x - 6} ${y - 12}l12 -12m0 12l-12 -12`, class: 'cross' })
+        : node('circle', { cx: x, cy: y, r: 7, class: 'knob' }),
+    );
+    set(this.handle, {
+      'aria-valuenow': angle.toFixed(2),
+      'aria-valuetext':
+        effort === undefined
+          ? `${degrees(angle)}, cannot be held`
+          : `${degrees(angle)}, force norm ${plain(Math.sqrt(effort))} N`,
+    });
+  }
+}
+
+/** Numbers in rising order as stretches without a gap. */
+function runs(numbers: number[], gap: number): Range[] {
+  const found: Range[] = [];
+  for (const value of numbers) {
+    const last = found.at(-1);
+    if (last && value - last[1] <= gap) last[1] = value;
+    else found.push([value, value]);
+  }
+  return found;
+}
+
+const sentence = (each: Optimum) =>
+  `${each.type === 'min' ? 'minimum' : 'maximum'} at ${degrees(each.angle_deg)}, ${each.kind}, ${each.manner}: ` +
+  `√V = ${plain(each.force_norm)} N, V = ${plain(each.effort)} N²`;
+
+export function symbol(kind: Kind, [x, y]: Point): string {
+  if (kind === 'kink') return `M${x} ${y - 6.5}l6.5 6.5l-6.5 6.5l-6.5 -6.5Z`;
+  if (kind === 'boundary') return `M${x - 5} ${y - 5}h10v10h-10Z`;
+  return `M${x - 5.5} ${y}a5.5 5.5 0 1 0 11 0a5.5 5.5 0 1 0 -11 0Z`;
+}
+
+const short = (value: number) => {
+  const size = Math.abs(value);
+  if (size >= 1e5) return value.toExponential().replace('e+', 'e').replace(/^1e/, '1e');
+  return `${Number(value.toPrecision(6))}`;
+};
+
+function steps(top: number, wanted: number): number[] {
+  const rough = top / Math.max(wanted, 2);
+  const unit = 10 ** Math.floor(Math.log10(rough));
+  const step = unit * (rough / unit <= 2 ? 2 : rough / unit <= 5 ? 5 : 10);
+  return Array.from({ length: Math.floor(top / step) + 1 }, (_, k) => k * step);
+}
+
+function decades(bottom: number, top: number): number[] {
+  const many = Math.log10(top / bottom) > 3;
+  const ticks: number[] = [];
+  for (let power = Math.floor(Math.log10(bottom)); power <= Math.log10(top); ++power)
+    for (const digit of many ? [1] : [1, 2, 5]) ticks.push(digit * 10 ** power);
+  return ticks.filter((tick) => tick >= bottom && tick <= top);
+}

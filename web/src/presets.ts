@@ -1,0 +1,29 @@
+import hexagon from '@examples/hexagon-three-fingers.grasp.json';
+import lPart from '@examples/l-part.grasp.json';
+import type { Grasp } from './grasp';
+import { paperDisk } from './paper';
+
+const least = 1 / Math.sqrt(3);
+
+/** What to begin with: the figures of the paper, then the examples. */
+export const presets: { group: string; grasps: { label: string; grasp: Grasp }[] }[] = [
+  {
+    group: 'The paper',
+    grasps: (
+      [
+        ['Fig. 3(a): φ = 60°, μ = √3', 60, Math.sqrt(3), Math.sqrt(3)],
+        ['Fig. 3(b), 4(b): φ = 60°, μ = 1', 60, 1, 1],
+        ['Fig. 3(c): φ = 60°, μ = 1/√3 + 0.01', 60, least + 0.01, least + 0.01],
+        ['Fig. 4(a): φ = 75°, μ = 1', 75, 1, 1],
+        ['Fig. 4(c): φ = 45°, μ = 1', 45, 1, 1],
+        ['Fig. 4(c) with μ = 1.01', 45, 1.01, 1.01],
+        ['Fig. 6: φ = 75°, μ = 1 and 1/√3', 75, 1, least],
+      ] as const
+    ).map(([label, phi, mu1, mu2]) => ({ label, grasp: paperDisk(label, phi, mu1, mu2) })),
+  },
+  {
+    group: 'Examples',
+    grasps: [lPart, hexagon].map((grasp) => ({ label: grasp.name ?? 'example', grasp })),
+  },
+];
+export const first = 'Fig. 6: φ = 75°, μ = 1 and 1/√3';

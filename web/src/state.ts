@@ -1,0 +1,133 @@
+// What is shown: a grasp, a posture, and the answers to them.
+import { ask, BadGrasp, type Best, type Check, type Curve, type Hold, type Optimum } from './core';
+import type { Domain, Grasp, Point } from './grasp';
+import { outline } from './shape';
+import { length, minus } from './vector';
+import { wrapped } from './words';
+
+export interface Answers {
+  grasp: Grasp;
+  check: Check;
+  best: Best;
+  curve: Curve;
+  hold: Hold;
+}
+
+/** The part of the plane that is shown: fixed for a grasp, so that nothing jumps while one drags. */
+export interface Frame {
+  pivot: Point;
+  radius: number;
+}
+
+export class Model {
+  grasp: Grasp;
+  angle = 0;
+  domain: Domain = 'all';
+  frame: Frame;
+  answers: Answers;
+  /** Why the grasp as it is now has no meaning; the answers are then those of the last that had. */
+  problem = '';
+
+  private stale = false;
+  private pending = false;
+  private readonly listeners: (() => void)[] = [];
+
+  constructor(grasp: Grasp) {
+    this.grasp = structuredClone(grasp);
+    this.frame = frameOf(grasp);
+    this.domain = grasp.domain ?? 'all';
+    this.answers = this.ask();
+    this.angle = this.start();
+    this.answers.hold = ask('hold', this.grasp, { angle_deg: this.angle });
+  }
+
+  onChange(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  /** Another grasp; one without meaning is refused, and nothing changes. */
+  load(grasp: Grasp): void {
+    const next = new Model(grasp);
+    Object.assign(this, { grasp: next.grasp, frame: next.frame, domain: next.domain });
+    Object.assign(this, { answers: next.answers, angle: next.angle, problem: '' });
+    this.changed(false);
+  }
+
+  turnTo(angle: number): void {
+    this.angle = wrapped(angle);
+    this.changed(false);
+  }
+
+  edit(change: (grasp: Grasp) => void): void {
+    change(this.grasp);
+    this.changed(true);
+  }
+
+  choose(domain: Domain): void {
+    this.domain = domain;
+    this.changed(true);
+  }
+
+  /** The optimum within half a degree of a posture: exact, where a hand is not. */
+  snapped(angle: number, within: number): number {
+    const near = this.answers.curve.optima.find(
+      (each) => Math.abs(wrapped(each.angle_deg - angle)) <= within,
+    );
+    return near ? near.angle_deg : angle;
+  }
+
+  /** The optimum that the present posture is. */
+  optimum(): Optimum | undefined {
+    return this.answers.curve.optima.find((each) => Math.abs(wrapped(each.angle_deg - this.angle)) < 1e-7);
+  }
+
+  private changed(grasp: boolean): void {
+    this.stale ||= grasp;
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => {
+      this.pending = false;
+      try {
+        if (this.stale) this.answers = this.ask();
+        else if (!this.problem) this.answers.hold = ask('hold', this.grasp, { angle_deg: this.angle });
+        this.problem = '';
+      } catch (error) {
+        if (!(error instanceof BadGrasp)) throw error;
+        this.problem = error.message;
+        this.answers.hold = ask('hold', this.answers.grasp, { angle_deg: this.angle });
+      }
+      this.stale = this.problem !== '';
+      for (const listener of this.listeners) listener();
+    });
+  }
+
+  private ask(): Answers {
+    const { domain } = this;
+    const grasp = structuredClone(this.grasp);
+    return {
+      grasp,
+      check: ask('check', grasp),
+      best: ask('best', grasp, { domain }),
+      curve: ask('curve', grasp, { domain }),
+      hold: ask('hold', grasp, { angle_deg: this.angle }),
+    };
+  }
+
+  /** As it is held now; else the best pinched posture, the one that is worth looking at. */
+  private start(): number {
+    const { best, best_pinched } = this.answers.best;
+    return this.grasp.angle_deg ?? best_pinched?.angle_deg ?? best?.angle_deg ?? 0;
+  }
+}
+
+function frameOf({ object, contacts }: Grasp): Frame {
+  const points = contacts.map((contact) => contact.position);
+  points.push(...(object.shape ? outline(object.shape) : [object.com]));
+  const middle = (k: 0 | 1) => {
+    const values = points.map((point) => point[k]);
+    return (Math.min(...values) + Math.max(...values)) / 2;
+  };
+  const pivot: Point = [middle(0), middle(1)];
+  const radius = Math.max(...points.map((point) => length(minus(point, pivot))));
+  return { pivot, radius: radius || 1 };
+}

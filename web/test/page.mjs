@@ -1,0 +1,192 @@
+// The page as its users meet it, in Chromium: node test/page.mjs. Pictures go to out/page/.
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { chromium } from 'playwright-core';
+
+const root = new URL('../../', import.meta.url).pathname;
+const out = `${root}out/page/`;
+mkdirSync(out, { recursive: true });
+
+let failures = 0;
+function expect(holds, what, ...seen) {
+  if (holds) return;
+  ++failures;
+  console.error('FAILED', what, ...seen);
+}
+const near = (a, b, relative = 1e-9) => Math.abs(a - b) <= relative * Math.max(Math.abs(a), Math.abs(b), 1);
+
+const browser = await chromium.launch({
+  executablePath: '/usr/bin/chromium',
+  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-sync',
+    '--disable-background-networking', '--disable-component-update'],
+});
+
+async function open(file, { width = 1280, height = 800, colorScheme = 'light' } = {}) {
+  const page = await browser.newPage({ viewport: { width, height }, colorScheme });
+  page.on('console', (message) => expect(false, 'a console message', message.text()));
+  page.on('pageerror', (error) => expect(false, 'an error', error.stack));
+  page.on('request', (request) => expect(/^(file|data|blob):/.test(request.url()), 'a request', request.url()));
+  const begin = performance.now();
+  await page.goto(`file://${file}`);
+  await page.waitForSelector('body[data-ready="1"]', { timeout: 20000 });
+  page.ready = Math.round(performance.now() - begin);
+  return page;
+}
+const frame = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const verdict = (page) => page.textContent('#verdict');
+const minima = (page) =>
+  page.$$eval('#minima button', (all) => all.map(({ dataset }) => ({ angle: +dataset.angle, effort: +dataset.effort })));
+async function choose(page, label) {
+  await page.selectOption('#preset', { label });
+  await frame(page);
+}
+async function drag(page, selector, dx, dy) {
+  const box = await page.locator(selector).first().boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + dx / 2, y + dy / 2);
+  await page.mouse.move(x + dx, y + dy);
+  await frame(page);
+  await page.mouse.up();
+}
+
+const page = await open(`${root}web/dist/playground.html`);
+console.log(`opened in ${page.ready} ms`);
+
+// Fig. 6 of the paper, at its kink; the numbers are those of the program.
+const best = JSON.parse(readFileSync(`${root}build/fixtures/ito-fig6.best.json`, 'utf8'));
+expect((await verdict(page)).includes('At 30.00° pinched: force norm √V 17.32 N, effort V 300.0 N²'), 'Fig. 6', await verdict(page));
+const shown = await minima(page);
+expect(shown.length === best.minima.length, 'as many minima as the program finds', shown.length);
+shown.forEach((each, k) =>
+  expect(near(each.angle, best.minima[k].angle_deg) && near(each.effort, best.minima[k].effort), 'a minimum', each));
+const meets = await page.locator('.meet.here').boundingBox();
+const com = await page.locator('.com .dot').boundingBox();
+expect(Math.abs(meets.x + meets.width / 2 - com.x - com.width / 2) < 0.1, 'the cone edges meet on the vertical');
+expect((await page.textContent('#why')).includes('meet on the vertical'), 'it says so');
+await page.screenshot({ path: `${out}fig6.png` });
+await page.check('#bounds');
+await page.screenshot({ path: `${out}fig6-bounds.png` });
+await page.uncheck('#bounds');
+
+// The paper's disks, in its range of postures, against its closed form.
+await page.check('#pinched');
+const { disks } = JSON.parse(execFileSync(`${root}build/poise`, ['paper', '--out', `${out}paper`, '--json']));
+const labels = await page.$$eval('#preset optgroup:first-of-type option', (all) => all.map((each) => each.label));
+expect(labels.length === disks.length, 'as many figures as the program knows');
+for (const [k, label] of labels.entries()) {
+  await choose(page, label);
+  await page.check('#pinched');
+  await frame(page);
+  const found = await minima(page);
+  const wanted = disks[k].minima;
+  expect(found.length === wanted.length, label, found, wanted);
+  for (const each of wanted)
+    expect(found.some(({ angle, effort }) => near(angle, each.angle_deg, 1e-6) && near(effort, each.effort)), label, each, found);
+}
+
+// Examples: as they are held now.
+for (const name of ['l-part', 'hexagon-three-fingers']) {
+  const hold = JSON.parse(readFileSync(`${root}build/fixtures/${name}.hold.json`, 'utf8'));
+  await choose(page, JSON.parse(readFileSync(`${root}build/fixtures/${name}.grasp.json`, 'utf8')).name);
+  const words = `At ${hold.angle_deg.toFixed(2)}° ${hold.manner}: force norm √V ${hold.force_norm.toPrecision(4)} N`;
+  expect((await verdict(page)).includes(words), words, await verdict(page));
+  await page.screenshot({ path: `${out}${name}.png` });
+}
+
+// What cannot be held, and why.
+await page.getByLabel('Posture [degrees]').fill('0');
+await frame(page);
+expect((await verdict(page)).includes('cannot be held'), 'unholdable', await verdict(page));
+expect((await page.textContent('#why')).includes('It would turn'), 'why it cannot be held');
+await page.screenshot({ path: `${out}unholdable.png` });
+
+// A bad number has the words of the command line, and nothing is lost.
+await page.getByLabel('Friction of thumb', { exact: true }).fill('-1');
+await frame(page);
+expect((await page.textContent('#problem')) === 'contacts[2].friction: is -1, must be at least 0', 'a bad number', await page.textContent('#problem'));
+expect((await page.locator('.curve').count()) > 0, 'the last curve stays');
+await page.getByLabel('Friction of thumb', { exact: true }).fill('0.5');
+await frame(page);
+expect((await page.textContent('#problem')) === '', 'mended');
+
+// By hand: a finger, the centre of mass, the object, the posture.
+await choose(page, 'Fig. 6: φ = 75°, μ = 1 and 1/√3');
+const changes = async (what, act) => {
+  const before = [await verdict(page), JSON.stringify(await minima(page))];
+  await act();
+  const after = [await verdict(page), JSON.stringify(await minima(page))];
+  expect(before[0] !== after[0], `${what}: the hold changes`, after[0]);
+  return before[1] !== after[1];
+};
+expect(await changes('a finger', () => drag(page, '.contact .pad', -40, 30)), 'a finger changes the curve');
+expect(await changes('the com', () => drag(page, '.com .dot', 25, 10)), 'the com changes the curve');
+await page.screenshot({ path: `${out}dragged.png` });
+const text = page.locator('.body');
+const box = await text.boundingBox();
+expect(!(await changes('the object', async () => {
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height - 12);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 60, box.y + box.height - 30, { steps: 4 });
+  await frame(page);
+  await page.mouse.up();
+})), 'turning the object leaves the curve as it is');
+expect(!(await changes('the posture', () => drag(page, '.posture .knob', 60, 0))), 'as does the handle');
+await page.click('#reset');
+await frame(page);
+expect((await verdict(page)).includes('300.0 N²'), 'start again');
+
+// By keyboard.
+await page.locator('.posture').focus();
+await changes('a key on the posture', async () => { await page.keyboard.press('ArrowRight'); await frame(page); });
+expect((await verdict(page)).startsWith('At 31.00°'), 'one degree', await verdict(page));
+await page.locator('.contact').first().focus();
+expect(await changes('a key on a finger', async () => { await page.keyboard.press('ArrowLeft'); await frame(page); }), 'a key moves a finger');
+await page.locator('.com').focus();
+expect(await changes('a key on the com', async () => { await page.keyboard.press('ArrowRight'); await frame(page); }), 'a key moves the com');
+const reached = new Set();
+for (let k = 0; k < 40; ++k) {
+  await page.keyboard.press('Tab');
+  reached.add(await page.evaluate(() => document.activeElement.getAttribute('aria-label') ?? document.activeElement.id));
+}
+for (const label of ['preset', 'Posture: turn the object', 'Centre of mass: arrow keys move it', 'Posture', 'Friction of right', 'logarithmic'])
+  expect(reached.has(label), `Tab reaches ${label}`, [...reached]);
+
+// How long a drag takes: a frame.
+const times = await page.evaluate(async () => {
+  const slider = document.querySelector('[aria-label="Friction of right, slider"]');
+  const taken = [];
+  for (let k = 0; k < 40; ++k) {
+    slider.value = String(1 + k / 100);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+    await new Promise((done) => requestAnimationFrame(() => {
+      const begin = performance.now();
+      setTimeout(() => { taken.push(performance.now() - begin); done(); });
+    }));
+  }
+  return taken.sort((a, b) => a - b);
+});
+console.log(`a change is drawn in ${times[20].toFixed(1)} ms (median), ${times[38].toFixed(1)} ms (95 %)`);
+
+// With a grasp inside, whose name is full of markup.
+const grasp = JSON.parse(readFileSync(`${root}build/fixtures/l-part.grasp.json`, 'utf8'));
+grasp.name = '</script><img src=x onerror=alert(1)>';
+execFileSync(`${root}build/poise`, ['view', '-', '-o', `${out}view.html`], { input: JSON.stringify(grasp) });
+const viewed = await open(`${out}view.html`);
+expect((await viewed.locator('img').count()) === 0, 'a name is never markup');
+expect((await viewed.locator('#preset option:checked').textContent()) === grasp.name, 'its name is shown as it is');
+expect((await verdict(viewed)).startsWith('At 0.00°'), 'as it is held now', await verdict(viewed));
+
+for (const colorScheme of ['light', 'dark']) {
+  const dark = await open(`${root}web/dist/playground.html`, { colorScheme });
+  await dark.screenshot({ path: `${out}${colorScheme}.png` });
+  const phone = await open(`${root}web/dist/playground.html`, { width: 390, height: 844, colorScheme });
+  const { scroll, client } = await phone.evaluate(() => ({ scroll: document.documentElement.scrollWidth, client: document.documentElement.clientWidth }));
+  expect(scroll <= client, 'nothing is wider than a phone', scroll, client);
+  await phone.screenshot({ path: `${out}phone-${colorScheme}.png`, fullPage: true });
+}
+
+await browser.close();
+console.log(failures ? `${failures} failures` : `The page is as it should be; pictures in ${out}`);
+process.exit(failures ? 1 : 0);
