@@ -47,7 +47,7 @@ expect --angle poise hold disk.yaml --a
 # Every flag that the program knows, and no other.
 for command in '' check hold best curve verify view paper; do
   known=$("$program" ${command:+"$command"} --help |
-    sed -nE 's/^  (-h,)?(--[a-z0-9-]+).*/\2/p' | sort | paste -sd ,)
+    sed -nE 's/^  (-[a-z],)?(--[a-z0-9-]+).*/\2/p' | sort | paste -sd ,)
   expect "$known" poise ${command:+"$command"} --
 done
 exit "$failures"
