@@ -16,7 +16,9 @@ constexpr double pi = 3.14159265358979323846;
 std::string range_text(const Interval& interval) {
   if (interval.from == interval.to) return "only at " + degrees_text(interval.from);
   if (interval.to - interval.from >= 2 * pi) return "in every posture";
-  return "from " + degrees_text(interval.from) + " to " + degrees_text(interval.to);
+  const std::string from = "from " + degrees_text(interval.from);
+  if (interval.to <= pi) return from + " to " + degrees_text(interval.to);
+  return from + " through 180° to " + degrees_text(interval.to - 2 * pi);
 }
 
 std::string ranges_text(const std::vector<Interval>& intervals) {
@@ -132,11 +134,12 @@ std::string best_report(const PlanarFile& file, const Grasp<2>& grasp, const Bes
   if (file.angle)
     add_posture(summary, "now", grasp, from,
                 hold(grasp, up_at(from), {.force_cap = settings.force_cap}), "");
+  const auto turn = [&](double to) { return file.angle ? turn_text(from, to) : std::string(); };
   add_posture(summary, "best", grasp, lowest.optimum.angle, lowest.hold,
-              turn_text(from, lowest.optimum.angle));
+              turn(lowest.optimum.angle));
   if (differ)
     add_posture(summary, "best pinched", grasp, pinched->optimum.angle, pinched->hold,
-                turn_text(from, pinched->optimum.angle));
+                turn(pinched->optimum.angle));
   text += summary.text(style);
   if (differ)
     text += "\n" + wrapped(why_pinching_costs(grasp, lowest.hold, lowest.manner, pinched->hold));
