@@ -88,11 +88,12 @@ Square<3, T> curvature_space(const Cones<3, T>& cones, const Point<3, T>& point)
     const L squared = za * za + zb * zb + zs * zs, over = inverse_length(squared);
     const L most = c.mu * n;
     const auto inside = squared * over < most;
-    const auto free = limited ? (n > c.lo) & (n < c.hi) : n > zero;
+    L free = n > zero ? one : zero;  // neither at its least nor at its greatest
+    if constexpr (limited) free = n > c.lo ? (n < c.hi ? one : zero) : zero;
     const L kappa = inside ? one : most * over;
-    const L edge = free ? c.edge : zero;
+    const L edge = free * c.edge;
     L nn = edge - kappa, nd = edge * c.mu, dd = edge * c.mu * c.mu - kappa;
-    nn = inside ? (limited ? (free ? zero : -one) : zero) : nn;
+    nn = inside ? (limited ? free - one : zero) : nn;
     nd = inside ? zero : nd;
     dd = inside ? zero : dd;
     const L da = za * over, db = zb * over, ds = zs * over * c.soft;

@@ -163,8 +163,7 @@ std::string reason(const Grasp<2>& grasp, const Hold<2>& hold) {
   if (hold.holdable) return {};
   if (!hold.proven)
     return "it is within rounding of the limit of holding, where neither forces nor a proof that "
-           "there "
-           "are none were found";
+           "there are none were found";
   // -y is a motion that gravity drives; about the com, in radii, to tell a turn from a slide.
   const Twist<2> motion = -about_com(grasp, hold.dual);
   const Vector<2>& com = grasp.object().com;

@@ -25,11 +25,10 @@ struct BestPosture {
   std::optional<std::size_t> pinched;  ///< the lowest interior minimum that is pinched
   double lower_bound{0};               ///< on the effort in the whole domain, by the arcs' y [N^2]
 
-  /// Whether no posture of the domain needs less than the best, or, where there is none, none
-  /// holds: false only where rounding left postures undecided that might.
+  /// Whether no posture of the domain needs less than the best, as lower_bound proves, or, where
+  /// there is none, none holds: false only where rounding hid what is there.
   bool optimal() const {
-    return curve.undecided.empty() ||
-           (holdable() && lower_bound >= (1 - 1e-9) * best().hold.effort);
+    return holdable() ? lower_bound >= (1 - 1e-6) * best().hold.effort : curve.undecided.empty();
   }
   bool holdable() const { return !minima.empty(); }
   const PlanarPosture& best() const { return minima.front(); }
