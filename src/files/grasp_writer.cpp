@@ -13,16 +13,6 @@ using Json = nlohmann::ordered_json;
 
 Json list(const Vector<2>& v) { return {v.x(), v.y()}; }
 
-Json shape_value(const Shape& shape) {
-  if (const auto* disk = std::get_if<Disk>(&shape)) return {{"disk", {{"radius", disk->radius}}}};
-  if (const auto* ellipse = std::get_if<Ellipse>(&shape))
-    return {{"ellipse", {{"radii", list(ellipse->radii)}}}};
-  Json vertices = Json::array();
-  for (const Vector<2>& vertex : std::get<Polygon>(shape).vertices)
-    vertices.push_back(list(vertex));
-  return {{"polygon", std::move(vertices)}};
-}
-
 Json contact_value(const Contact<2>& contact) {
   Json result = {{"position", list(contact.position)},
                  {"normal", list(contact.normal)},
@@ -35,6 +25,16 @@ Json contact_value(const Contact<2>& contact) {
 }
 
 }  // namespace
+
+Json shape_value(const Shape& shape) {
+  if (const auto* disk = std::get_if<Disk>(&shape)) return {{"disk", {{"radius", disk->radius}}}};
+  if (const auto* ellipse = std::get_if<Ellipse>(&shape))
+    return {{"ellipse", {{"radii", list(ellipse->radii)}}}};
+  Json vertices = Json::array();
+  for (const Vector<2>& vertex : std::get<Polygon>(shape).vertices)
+    vertices.push_back(list(vertex));
+  return {{"polygon", std::move(vertices)}};
+}
 
 std::string grasp_document(const PlanarFile& file) {
   Json result = {{"poise", 1}, {"dimension", 2}};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "files/grasp_writer.hpp"
 #include "files/json_text.hpp"
 #include "files/spatial.hpp"
 
@@ -164,16 +165,6 @@ Json holdable_arcs(const PostureCurve& curve) {
 }
 
 /// As it is written in a grasp file, in metres.
-Json shape_value(const Shape& shape) {
-  if (const auto* disk = std::get_if<Disk>(&shape)) return {{"disk", {{"radius", disk->radius}}}};
-  if (const auto* ellipse = std::get_if<Ellipse>(&shape))
-    return {{"ellipse", {{"radii", list(ellipse->radii)}}}};
-  Json vertices = Json::array();
-  for (const Vector<2>& vertex : std::get<Polygon>(shape).vertices)
-    vertices.push_back(list(vertex));
-  return {{"polygon", std::move(vertices)}};
-}
-
 Json shape_value(const Solid& solid) {
   if (const auto* box = std::get_if<Box>(&solid)) return {{"box", {{"size", list(box->size)}}}};
   if (const auto* cylinder = std::get_if<Cylinder>(&solid))
