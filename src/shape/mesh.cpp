@@ -1,0 +1,383 @@
+#include "shape/mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "shape/number_text.hpp"
+
+namespace poise {
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+using Triangle = std::array<int, 3>;
+
+const Vector3d& corner(const Mesh& mesh, const Triangle& triangle, std::size_t k) {
+  return mesh.vertices[static_cast<std::size_t>(triangle[k])];
+}
+
+AlignedBox3d box_of(const Mesh& mesh, const Triangle& triangle) {
+  AlignedBox3d box(corner(mesh, triangle, 0));
+  box.extend(corner(mesh, triangle, 1));
+  box.extend(corner(mesh, triangle, 2));
+  return box;
+}
+
+/// Half the diagonal of a bounding box.
+double size_of(const AlignedBox3d& box) { return box.isEmpty() ? 0 : box.diagonal().norm() / 2; }
+
+/// Six times the volume of the tetrahedron from a point to a triangle.
+double six_volumes(const Mesh& mesh, const Triangle& triangle, const Vector3d& from) {
+  return (corner(mesh, triangle, 0) - from)
+      .dot((corner(mesh, triangle, 1) - from).cross(corner(mesh, triangle, 2) - from));
+}
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+std::string counted(std::size_t count, const std::string& thing) {
+  return counted(count, thing, thing + "s");
+}
+
+/// Sets of which any two may be made one.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t of(std::size_t member) {
+    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
+    return member;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[of(b)] = of(a); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// The same surface with other vertices: `to` tells which takes the place of each. Triangles that
+/// shrink to a line are left out, and vertices that no triangle has.
+Mesh renumbered(const Mesh& mesh, const std::vector<int>& to) {
+  Mesh result;
+  std::vector<int> number(mesh.vertices.size(), -1);
+  for (Triangle triangle : mesh.triangles) {
+    for (int& vertex : triangle) vertex = to[static_cast<std::size_t>(vertex)];
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+      continue;
+    for (int& vertex : triangle) {
+      int& mine = number[static_cast<std::size_t>(vertex)];
+      if (mine < 0) {
+        mine = static_cast<int>(result.vertices.size());
+        result.vertices.push_back(mesh.vertices[static_cast<std::size_t>(vertex)]);
+      }
+      vertex = mine;
+    }
+    result.triangles.push_back(triangle);
+  }
+  return result;
+}
+
+/// Makes vertices one that are no farther apart than this.
+Mesh welded(const Mesh& mesh, double tolerance) {
+  const auto cell_of = [&](const Vector3d& p) {
+    std::array<double, 3> cell{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // -0 is 0
+    if (tolerance > 0)
+      for (double& c : cell) c = std::floor(c / tolerance);
+    return cell;
+  };
+  std::map<std::array<double, 3>, std::vector<int>> cells;
+  std::vector<int> to(mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Vector3d& p = mesh.vertices[i];
+    const auto cell = cell_of(p);
+    int near = -1;
+    const int reach = tolerance > 0 ? 1 : 0;
+    for (int dx = -reach; dx <= reach && near < 0; ++dx)
+      for (int dy = -reach; dy <= reach && near < 0; ++dy)
+        for (int dz = -reach; dz <= reach && near < 0; ++dz) {
+          const auto found = cells.find({cell[0] + dx, cell[1] + dy, cell[2] + dz});
+          if (found == cells.end()) continue;
+          for (const int other : found->second)
+            if ((mesh.vertices[static_cast<std::size_t>(other)] - p).norm() <= tolerance)
+              near = other;
+        }
+    to[i] = near < 0 ? static_cast<int>(i) : near;
+    if (near < 0) cells[cell].push_back(to[i]);
+  }
+  return renumbered(mesh, to);
+}
+
+/// Of triangles with the same corners one is kept, or none where two of them face opposite ways and
+/// `cancel` is asked for.
+Mesh without_doubles(Mesh mesh, bool cancel) {
+  std::map<Triangle, std::array<int, 2>> seen;  // how often it faces either way
+  const auto key = [](Triangle triangle) {
+    const auto least = std::min_element(triangle.begin(), triangle.end());
+    std::rotate(triangle.begin(), least, triangle.end());
+    const bool turned = triangle[1] > triangle[2];
+    if (turned) std::swap(triangle[1], triangle[2]);
+    return std::pair(triangle, turned);
+  };
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto [corners, turned] = key(triangle);
+    ++seen.try_emplace(corners, std::array{0, 0}).first->second[turned ? 1 : 0];
+  }
+  std::vector<Triangle> kept;
+  for (const Triangle& triangle : mesh.triangles) {
+    std::array<int, 2>& count = seen.at(key(triangle).first);
+    const bool opposed = count[0] > 0 && count[1] > 0;
+    if (count[0] >= 0 && !(cancel && opposed)) kept.push_back(triangle);
+    if (!(cancel && opposed)) count = {-1, -1};
+  }
+  mesh.triangles = std::move(kept);
+  return mesh;
+}
+
+/// A triangle at an edge, and which way it runs along it.
+struct Side {
+  int low, high;         ///< vertices of the edge
+  std::size_t triangle;  ///< index
+  bool up;               ///< from low to high
+};
+
+/// All sides, those of one edge together.
+std::vector<Side> sides_of(const Mesh& mesh) {
+  std::vector<Side> sides;
+  sides.reserve(3 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), t, a < b});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  return sides;
+}
+
+/// Calls `each` with the sides of one edge after the other.
+template <class Each>
+void for_each_edge(const std::vector<Side>& sides, const Each& each) {
+  for (auto first = sides.begin(); first != sides.end();) {
+    auto last = first;
+    while (last != sides.end() && last->low == first->low && last->high == first->high) ++last;
+    each(std::vector<Side>(first, last));
+    first = last;
+  }
+}
+
+/// A mesh whose triangles agree with their neighbours, and its parts.
+struct Oriented {
+  Mesh mesh;
+  std::vector<std::size_t> part{};  ///< of each triangle
+  std::size_t parts{0}, turned{0};  ///< `turned`: triangles that did not agree
+  std::string defect{};
+};
+
+void flip(Triangle& triangle) { std::swap(triangle[1], triangle[2]); }
+
+/// Turns triangles so that each edge of two triangles is run along both ways; the first triangle of
+/// a part stays as it is.
+Oriented oriented(Mesh mesh) {
+  const std::size_t count = mesh.triangles.size();
+  const std::vector<Side> sides = sides_of(mesh);
+  struct Neighbour {
+    std::size_t triangle;
+    bool agrees;
+  };
+  std::vector<std::vector<Neighbour>> neighbours(count);
+  std::size_t open = 0, crowded = 0;
+  for_each_edge(sides, [&](const std::vector<Side>& at) {
+    if (at.size() == 1) ++open;
+    if (at.size() > 2) ++crowded;
+    if (at.size() != 2) return;
+    const bool agrees = at[0].up != at[1].up;
+    neighbours[at[0].triangle].push_back({at[1].triangle, agrees});
+    neighbours[at[1].triangle].push_back({at[0].triangle, agrees});
+  });
+
+  Oriented result{.mesh = std::move(mesh)};
+  if (open > 0) {
+    result.defect = "is not closed: " + counted(open, "edge") + " of its " +
+                    counted(count, "triangle") + (open == 1 ? " belongs" : " belong") +
+                    " to one triangle only";
+    return result;
+  }
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> patch(count, none);
+  std::vector<bool> turned(count, false);
+  std::size_t patches = 0;
+  for (std::size_t seed = 0; seed < count; ++seed) {
+    if (patch[seed] != none) continue;
+    patch[seed] = patches;
+    for (std::vector<std::size_t> stack{seed}; !stack.empty();) {
+      const std::size_t t = stack.back();
+      stack.pop_back();
+      for (const Neighbour& next : neighbours[t]) {
+        const bool turn = turned[t] == next.agrees;
+        if (patch[next.triangle] == none) {
+          patch[next.triangle] = patches;
+          turned[next.triangle] = turn;
+          stack.push_back(next.triangle);
+        } else if (turned[next.triangle] != turn) {
+          result.defect = "has no inside: its triangles cannot all face outwards";
+          return result;
+        }
+      }
+    }
+    ++patches;
+  }
+  for (std::size_t t = 0; t < count; ++t)
+    if (turned[t]) {
+      flip(result.mesh.triangles[t]);
+      ++result.turned;
+    }
+
+  // Where more than two triangles meet, each patch must be closed by itself, or be one with others.
+  Sets sets(patches);
+  const std::vector<Side> now = result.turned > 0 ? sides_of(result.mesh) : sides;
+  const auto unbalanced = [&](const std::vector<Side>& at, const auto& group_of) {
+    std::map<std::size_t, int> sums;
+    for (const Side& side : at) sums[group_of(side.triangle)] += side.up ? 1 : -1;
+    std::vector<std::size_t> groups;
+    for (const auto& [group, sum] : sums)
+      if (sum != 0) groups.push_back(group);
+    return groups;
+  };
+  if (crowded > 0)
+    for_each_edge(now, [&](const std::vector<Side>& at) {
+      const auto groups = unbalanced(at, [&](std::size_t t) { return patch[t]; });
+      for (const std::size_t group : groups) sets.join(groups.front(), group);
+    });
+  std::size_t wrong = 0;
+  if (crowded > 0)
+    for_each_edge(now, [&](const std::vector<Side>& at) {
+      if (!unbalanced(at, [&](std::size_t t) { return sets.of(patch[t]); }).empty()) ++wrong;
+    });
+  if (wrong > 0) {
+    result.defect = "is not closed: at " + counted(wrong, "edge") +
+                    " more than two triangles meet that do not bound a body";
+    return result;
+  }
+  std::map<std::size_t, std::size_t> number;
+  result.part.resize(count);
+  for (std::size_t t = 0; t < count; ++t)
+    result.part[t] = number.try_emplace(sets.of(patch[t]), number.size()).first->second;
+  result.parts = number.size();
+  return result;
+}
+
+/// Whether two boxes have more in common than a part of a side.
+bool overlap(const AlignedBox3d& a, const AlignedBox3d& b, double tolerance) {
+  const AlignedBox3d common = a.intersection(b);
+  return !common.isEmpty() && common.sizes().minCoeff() > tolerance;
+}
+
+/// Turns each part inside in; says what it did, and what is wrong.
+void turn_parts(Oriented& oriented, std::vector<std::string>& repairs) {
+  Mesh& mesh = oriented.mesh;
+  std::vector<AlignedBox3d> boxes(oriented.parts);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    boxes[oriented.part[t]].extend(box_of(mesh, mesh.triangles[t]));
+  const double size = size_of(bounds(mesh));
+  for (std::size_t a = 0; a < boxes.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (overlap(boxes[a], boxes[b], 1e-9 * size)) {
+        oriented.defect = "has " + std::to_string(boxes.size()) +
+                          " parts that may overlap or lie within each other: what is solid is not "
+                          "known";
+        return;
+      }
+  std::vector<double> volumes(oriented.parts);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    volumes[oriented.part[t]] +=
+        six_volumes(mesh, mesh.triangles[t], boxes[oriented.part[t]].center()) / 6;
+  std::size_t inverted = 0;
+  for (std::size_t k = 0; k < oriented.parts; ++k) {
+    if (std::abs(volumes[k]) <= 1e-9 * std::pow(size_of(boxes[k]), 3)) {
+      oriented.defect = oriented.parts == 1 ? "has no volume: it is flat"
+                                            : "has a part without volume: it is flat";
+      return;
+    }
+    if (volumes[k] < 0) ++inverted;
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (volumes[oriented.part[t]] < 0) flip(mesh.triangles[t]);
+  if (oriented.turned > 0)
+    repairs.push_back(counted(oriented.turned, "triangle") +
+                      " of it did not agree with the neighbours and " +
+                      (oriented.turned == 1 ? "was" : "were") + " turned");
+  if (inverted == oriented.parts)
+    repairs.push_back("was inside out, and was turned");
+  else if (inverted > 0)
+    repairs.push_back(counted(inverted, "part") + " of it " + (inverted == 1 ? "was" : "were") +
+                      " inside out, and turned");
+  if (oriented.parts > 1)
+    repairs.push_back("has " + std::to_string(oriented.parts) +
+                      " parts that do not overlap: they are taken as one rigid body");
+}
+
+}  // namespace
+
+AlignedBox3d bounds(const Mesh& mesh) {
+  AlignedBox3d box;
+  for (const Vector3d& vertex : mesh.vertices) box.extend(vertex);
+  return box;
+}
+
+double volume(const Mesh& mesh) {
+  const Vector3d middle = bounds(mesh).center();
+  double six = 0;
+  for (const Triangle& triangle : mesh.triangles) six += six_volumes(mesh, triangle, middle);
+  return six / 6;
+}
+
+Vector3d centroid(const Mesh& mesh) {
+  const Vector3d middle = bounds(mesh).center();  // far from the origin digits would be lost
+  double six = 0;
+  Vector3d sum = Vector3d::Zero();
+  for (const Triangle& triangle : mesh.triangles) {
+    const double part = six_volumes(mesh, triangle, middle);
+    six += part;
+    sum += part * (corner(mesh, triangle, 0) + corner(mesh, triangle, 1) +
+                   corner(mesh, triangle, 2) - 3 * middle);
+  }
+  return middle + sum / (4 * six);
+}
+
+MendedMesh mended(const Mesh& mesh) {
+  for (const Vector3d& vertex : mesh.vertices)
+    if (!vertex.allFinite()) return {mesh, {}, "has a vertex that is not finite"};
+  const Mesh given = welded(mesh, 0);
+  if (given.triangles.empty()) return {given, {}, "has no triangles"};
+  const double size = size_of(bounds(given));
+  // The first of these that closes it.
+  std::string defect;
+  for (const double tolerance : {0.0, 1e-8, 1e-7, 1e-6, 1e-5})
+    for (const bool cancel : {false, true}) {
+      const Mesh merged = tolerance > 0 ? welded(given, tolerance * size) : given;
+      Mesh single = without_doubles(merged, cancel);
+      std::vector<std::string> repairs;
+      if (const std::size_t gone = given.vertices.size() - merged.vertices.size(); gone > 0)
+        repairs.push_back("was open: " + counted(gone, "vertex", "vertices") + " no farther than " +
+                          number_text(tolerance) + " of its size from others " +
+                          (gone == 1 ? "was" : "were") + " made one with them");
+      if (const std::size_t twice = merged.triangles.size() - single.triangles.size(); twice > 0)
+        repairs.push_back(
+            "had " + counted(twice, "triangle") + " twice, " +
+            (cancel ? "facing opposite ways: they were left out" : "of which one was kept"));
+      if (single.triangles.empty()) continue;
+      Oriented result = oriented(std::move(single));
+      if (defect.empty()) defect = result.defect;
+      if (!result.defect.empty()) continue;
+      turn_parts(result, repairs);
+      if (!result.defect.empty()) return {given, {}, result.defect};
+      return {std::move(result.mesh), std::move(repairs), ""};
+    }
+  return {given, {}, defect};
+}
+
+}  // namespace poise
