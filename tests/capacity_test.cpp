@@ -1,0 +1,382 @@
+// What a gripper can hold, against closed forms, a linear program solved by trying every basis,
+// halving, and in long double what each proof says.
+#include "poise/capacity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "random_space_grasps.hpp"
+#include "second_sources.hpp"
+#include "space_checks.hpp"
+
+namespace poise::test {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double cap = 1e6;
+const Vector<2> upright(0, 1);
+
+Contact<2> finger(const Vector<2>& position, const Vector<2>& normal, double friction,
+                  double max_normal = infinity, double min_normal = 0) {
+  Contact<2> contact;
+  contact.position = position;
+  contact.normal = normal;
+  contact.friction = friction;
+  contact.max_normal = max_normal;
+  contact.min_normal = min_normal;
+  return contact;
+}
+
+/// A block between two fingers.
+Grasp<2> vice(double friction, double max_normal, double weight = 10) {
+  return {{weight, {0, 0}},
+          {finger({-1, 0}, {1, 0}, friction, max_normal),
+           finger({1, 0}, {-1, 0}, friction, max_normal)}};
+}
+
+/// Where the bracket between what is held and what is proven is as narrow as wanted.
+testing::AssertionResult narrow(double held, double bound) {
+  if (difference(held, bound) <= 1.01e-7) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << held << " and " << bound;
+}
+
+TEST(Capacity, OfTwoOpposedFingersIsTwiceTheirFriction) {
+  const Grasp<2> grasp = vice(0.4, 25);
+  const WeightRange<2> range = weight_range(grasp, upright);
+  ASSERT_TRUE(range.holdable);
+  EXPECT_EQ(range.least.weight, 0);
+  EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
+  EXPECT_NEAR(range.greatest.bound, 2 * 0.4 * 25, 1e-9);
+  EXPECT_NEAR(grip_force(grasp, range.greatest.hold), 25, 1e-5);
+  for (const Deciding& contact : deciding(grasp, upright, range.greatest.dual)) {
+    EXPECT_TRUE(contact.slipping);
+    EXPECT_NEAR(contact.per_newton, 0.4, 1e-9);
+  }
+  const LeastFriction<2> friction = least_friction(grasp, upright);
+  EXPECT_TRUE(narrow(friction.factor, friction.bound));
+  EXPECT_NEAR(0.4 * friction.bound, 10 / (2 * 25.0), 1e-9);
+}
+
+TEST(Capacity, OfAFingerBelowIsItsGreatestForce) {
+  const Grasp<2> grasp({1, {0, 0}}, {finger({0, -1}, {0, 1}, 0.5, 7, 3)});
+  const WeightRange<2> range = weight_range(grasp, upright);
+  ASSERT_TRUE(range.holdable);
+  EXPECT_NEAR(range.greatest.bound, 7, 1e-8);
+  EXPECT_NEAR(range.least.bound, 3, 1e-8);
+  EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
+  EXPECT_TRUE(narrow(range.least.weight, range.least.bound));
+  EXPECT_NEAR(deciding(grasp, upright, range.greatest.dual)[0].per_newton, 1, 1e-9);
+  EXPECT_FALSE(least_friction(grasp, upright).hold.holdable);  // 1 N is too little for it
+  EXPECT_EQ(least_friction(with_weight(grasp, 5), upright).factor, 0);
+}
+
+TEST(Capacity, IsNothingWhereNothingHolds) {
+  // Pressed sideways by one finger; above both fingers; with two that push the same way.
+  for (const Grasp<2>& grasp : {Grasp<2>({1, {0, 0}}, {finger({-1, 0}, {1, 0}, 1, 7, 3)}),
+                                Grasp<2>({1, {0, 0}}, {finger({0, 1}, {0, -1}, 0.1, 5)}),
+                                Grasp<2>({1, {0, 0}}, {finger({-1, 0}, {0.6, -0.8}, 0.1, 5),
+                                                       finger({1, 0}, {-0.6, -0.8}, 0.1, 5)})}) {
+    const WeightRange<2> range = weight_range(grasp, upright);
+    EXPECT_FALSE(range.holdable);
+    EXPECT_TRUE(range.greatest.bound <= 1e-11 || range.greatest.bound < range.least.bound);
+    EXPECT_EQ(range.greatest.weight, 0);
+  }
+  // Nor does any friction help a finger that is above the com with nothing below.
+  const Grasp<2> above({1, {0, 0}}, {finger({0, 1}, {0, -1}, 0.1)});
+  const LeastFriction<2> friction = least_friction(above, upright);
+  EXPECT_EQ(friction.factor, infinity);
+  EXPECT_GE(friction.bound, 1e6);
+}
+
+TEST(Capacity, HasNoEndWhereNothingLimitsTheFingers) {
+  const WeightRange<2> range = weight_range(vice(0.4, infinity), upright);
+  EXPECT_TRUE(range.holdable);
+  EXPECT_EQ(range.greatest.weight, infinity);
+  EXPECT_EQ(range.greatest.bound, infinity);
+  EXPECT_TRUE(range.greatest.hold.holdable);
+  // A finger from above is limited, but the others need it not.
+  const Grasp<2> grasp({1, {0, 0}}, {finger({-0.5, -1}, {0, 1}, 0), finger({0.5, -1}, {0, 1}, 0),
+                                     finger({0, 1}, {0, -1}, 0, 5, 1)});
+  const WeightRange<2> pressed = weight_range(grasp, upright);
+  EXPECT_TRUE(pressed.holdable);
+  EXPECT_EQ(pressed.greatest.weight, infinity);
+  EXPECT_EQ(pressed.least.weight, 0);
+}
+
+TEST(Capacity, LeastFrictionOfThePapersDiskIsTheTangentOfItsContacts) {
+  for (const double phi : {pi / 3, 5 * pi / 12, 1.4}) {
+    std::vector<Contact<2>> contacts;
+    for (const double side : {1.0, -1.0}) {
+      const Vector<2> at(side * std::sin(phi), std::cos(phi));
+      contacts.push_back(finger(at, -at, 2));
+    }
+    const LeastFriction<2> friction = least_friction(Grasp<2>({10, {0, 0}}, contacts), upright);
+    // The force grows without bound towards the limit, and the force cap ends it.
+    EXPECT_NEAR(2 * friction.factor, 1 / std::tan(phi), 1e-5);
+    EXPECT_GT(2 * friction.bound, 1 / std::tan(phi) - 1e-9);
+    EXPECT_LT(difference(friction.factor, friction.bound), 1e-6);
+  }
+}
+
+// ---- The plane, by every basis of a linear program
+// -----------------------------------------------
+
+/// The greatest weight by linear programming: edge forces a, b >= 0 of each contact, which press
+/// with a + b, slack s >= 0 and the weight: G f = weight w, a + b + s = max - min (all from min).
+/// Tries every basis. -1 where none is feasible.
+Real greatest_by_bases(const Grasp<2>& grasp, double theta) {
+  const auto& contacts = grasp.contacts();
+  const int n = static_cast<int>(contacts.size()), rows = 3 + n, columns = 3 * n + 1;
+  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> A =
+      Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>::Zero(rows, columns);
+  Eigen::Matrix<Real, Eigen::Dynamic, 1> b = Eigen::Matrix<Real, Eigen::Dynamic, 1>::Zero(rows);
+  const RealVector com = grasp.object().com.cast<Real>();
+  for (int i = 0; i < n; ++i) {
+    const Contact<2>& contact = contacts[static_cast<std::size_t>(i)];
+    const RealVector r = contact.position.cast<Real>() - com;
+    for (const int k : {0, 1}) {
+      const Real slope = (k == 0 ? 1 : -1) * Real{contact.friction};
+      const RealVector f = in_object_frame(contact, {1, slope});
+      A.col(3 * i + k).head<3>() = RealWrench(f.x(), f.y(), cross(r, f));
+      A(3 + i, 3 * i + k) = 1;
+    }
+    A(3 + i, 3 * i + 2) = 1;
+    b[3 + i] = contact.max_normal;
+  }
+  A.col(columns - 1).head<3>() = RealWrench(-std::sin(Real{theta}), -std::cos(Real{theta}), 0);
+  Real greatest = -1;
+  std::vector<int> basis;
+  const auto choose = [&](const auto& self, int from) -> void {
+    if (static_cast<int>(basis.size()) == rows) {
+      Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> B(rows, rows);
+      for (int k = 0; k < rows; ++k) B.col(k) = A.col(basis[static_cast<std::size_t>(k)]);
+      const Eigen::FullPivLU<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>> lu(B);
+      if (!lu.isInvertible()) return;
+      const Eigen::Matrix<Real, Eigen::Dynamic, 1> x = lu.solve(b);
+      if (x.minCoeff() < -1e-15L * b.maxCoeff()) return;
+      const Real weight = basis.back() == columns - 1 ? x[rows - 1] : 0;
+      greatest = std::max(greatest, weight);
+      return;
+    }
+    if (from == columns) return;
+    basis.push_back(from);
+    self(self, from + 1);
+    basis.pop_back();
+    if (columns - from - 1 >= rows - static_cast<int>(basis.size())) self(self, from + 1);
+  };
+  choose(choose, 0);
+  return greatest;
+}
+
+RC_GTEST_PROP(Capacity, IsThatOfALinearProgramInThePlane, ()) {
+  Held held = *grasps({.least_contacts = 2, .most_contacts = 3, .limits = false, .awkward = false});
+  for (Contact<2>& contact : held.contacts) contact.max_normal = 10 * real(1, 0.01);
+  const double theta = random_angle();
+  const Grasp<2> grasp = held.grasp();
+  const WeightRange<2> range = weight_range(grasp, up_at(theta));
+  const Real greatest = greatest_by_bases(grasp, theta);
+  RC_ASSERT(std::abs(range.greatest.bound - greatest) <= 1e-9L * greatest + 1e-8L);
+  RC_ASSERT(std::abs(range.greatest.weight - greatest) <= 1.01e-7L * greatest + 1e-8L);
+}
+
+// ---- Proofs, in long double
+// ----------------------------------------------------------------------
+
+struct Push {
+  Real normal, beside;  ///< of the contact's velocity
+};
+Push push(const Contact<2>& contact, const Twist<2>& y) {
+  const RealVector z = contact_velocity(contact, y);
+  return {z.x(), std::abs(z.y())};
+}
+Push push(const Contact<3>& contact, const Twist<3>& y) {
+  const space::Real3 n = space::normal_of(contact), omega = y.tail<3>().cast<Real>();
+  const space::Real3 u = y.head<3>().cast<Real>() + omega.cross(contact.position.cast<Real>());
+  const Real turn = contact.torsion > 0 ? omega.dot(n) * contact.torsion / contact.friction : 0;
+  return {u.dot(n), std::hypot((u - u.dot(n) * n).norm(), turn)};
+}
+
+template <int Dim>
+Eigen::Matrix<Real, wrench_size<Dim>, 1> load_of(const Grasp<Dim>& grasp, const Vector<Dim>& up) {
+  if constexpr (Dim == 2)
+    return load_at(grasp, angle_of(up));
+  else
+    return space::load_at(grasp, up);
+}
+
+/// Whether y proves that the grasp's weight cannot be held with up = `up`: for all contact forces
+/// with a force norm of `cap` weights y . G f is less than y . w.
+template <int Dim>
+bool excludes(const Grasp<Dim>& grasp, const Vector<Dim>& up, const Twist<Dim>& y) {
+  Real most = 0, squared = 0;
+  for (const Contact<Dim>& contact : grasp.contacts()) {
+    const Push z = push(contact, y);
+    const Real mu = contact.friction, along = z.normal + mu * z.beside;
+    if (std::isfinite(contact.max_normal)) {
+      most += std::max(contact.max_normal * along, contact.min_normal * along);
+      continue;
+    }
+    most += contact.min_normal * along;
+    if (along <= 0) continue;
+    const bool inside = z.beside <= mu * z.normal;
+    const Real nearest = inside ? std::hypot(z.normal, z.beside) : along / std::sqrt(1 + mu * mu);
+    squared += contact.share * nearest * nearest;
+  }
+  const Real weight = grasp.object().weight;
+  return y.template cast<Real>().dot(load_of(grasp, up)) > most + cap * weight * std::sqrt(squared);
+}
+
+/// Forces that balance the load within their cones: at a limit they need not be the least.
+template <int Dim, class Load>
+bool balances(const Grasp<Dim>& grasp, const Load& load, const Hold<Dim>& hold) {
+  using namespace space;
+  const auto forces = forces_of(hold);
+  const Real digits = 1e-12L * (1 + std::sqrt(effort_of(grasp, forces)) / grasp.object().weight);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    if (outside(grasp.contacts()[i], forces[i]) > digits * grasp.object().weight) return false;
+  return hold.holdable && forces.size() == grasp.contacts().size() &&
+         imbalance(grasp, load, forces) <= 2e-12L + digits;
+}
+
+/// Holds and proofs of both ends say what they claim.
+template <int Dim>
+void check_range(const Grasp<Dim>& grasp, const Vector<Dim>& up) {
+  const WeightRange<Dim> range = weight_range(grasp, up);
+  const double greatest = range.greatest.bound, least = range.least.bound;
+  double all_pushes = 0;
+  for (const Contact<Dim>& contact : grasp.contacts()) all_pushes += contact.min_normal;
+  if (greatest < infinity && greatest > 1e-5)
+    RC_ASSERT(excludes(with_weight(grasp, greatest * (1 + 1e-6)), up, range.greatest.dual));
+  if (least > 0) RC_ASSERT(excludes(with_weight(grasp, least * (1 - 1e-6)), up, range.least.dual));
+  if (!range.holdable) {
+    // Or the unbalanced push is within the tolerance of a far greater weight alone.
+    RC_ASSERT(greatest <= 1e-5 || greatest < least * (1 + 1e-8) || least > 1e3 * all_pushes);
+    return;
+  }
+  if (range.greatest.weight < infinity) {
+    RC_ASSERT(difference(range.greatest.weight, greatest) <= 1e-3);
+    RC_ASSERT(balances(with_weight(grasp, range.greatest.weight),
+                       load_of(with_weight(grasp, range.greatest.weight), up),
+                       range.greatest.hold));
+  } else {
+    RC_ASSERT(
+        balances(without_limits(grasp), load_of(without_limits(grasp), up), range.greatest.hold));
+    RC_ASSERT(hold<Dim>(with_weight(grasp, 1e6 * (1 + range.least.weight)), up).holdable);
+  }
+  if (range.least.weight > 0) {
+    RC_ASSERT(difference(range.least.weight, least) <= 1e-3);
+    RC_ASSERT(balances(with_weight(grasp, range.least.weight),
+                       load_of(with_weight(grasp, range.least.weight), up), range.least.hold));
+  }
+}
+
+template <int Dim>
+void check_friction(const Grasp<Dim>& grasp, const Vector<Dim>& up) {
+  const LeastFriction<Dim> least = least_friction(grasp, up);
+  if (least.bound > 2e-6)
+    RC_ASSERT(excludes(with_friction(grasp, least.bound * (1 - 1e-6) - 1e-6), up, least.dual));
+  if (least.factor == infinity) {
+    RC_ASSERT(!hold<Dim>(grasp, up).holdable);
+    return;
+  }
+  RC_ASSERT(balances(with_friction(grasp, least.factor),
+                     load_of(with_friction(grasp, least.factor), up), least.hold));
+  RC_ASSERT(least.factor - least.bound <= 2e-6 * (1 + least.factor));
+}
+
+RC_GTEST_PROP(Capacity, HoldsAndProvesWhatItSays, ()) {
+  const Held held = *grasps();
+  check_range(held.grasp(), up_at(random_angle()));
+}
+RC_GTEST_PROP(Capacity, LeastFrictionHoldsAndProvesWhatItSays, ()) {
+  const Held held = *grasps();
+  check_friction(held.grasp(), up_at(random_angle()));
+}
+RC_GTEST_PROP(CapacityInSpace, HoldsAndProvesWhatItSays, ()) {
+  const space::Held held = *space::grasps();
+  if (one_in(5)) check_range(held.grasp(), space::random_direction());
+}
+RC_GTEST_PROP(CapacityInSpace, LeastFrictionHoldsAndProvesWhatItSays, ()) {
+  const space::Held held = *space::grasps();
+  if (one_in(20)) check_friction(held.grasp(), space::random_direction());
+}
+
+// ---- Space
+// ---------------------------------------------------------------------------------------
+
+TEST(CapacityInSpace, OfSoftJawsBesideTheComIsThatOfTheirEllipse) {
+  // Each jaw carries half of the weight and half of its moment about the line between them.
+  const double mu = 0.6, gamma = 0.01, max = 40, arm = 0.03;
+  Contact<3> left, right;
+  left.position = {-0.02, 0, 0};
+  left.normal = {1, 0, 0};
+  left.friction = mu;
+  left.torsion = gamma;
+  left.max_normal = max;
+  right = left;
+  right.position.x() = 0.02;
+  right.normal.x() = -1;
+  const Vector<3> up(0, 0, 1);
+  const Grasp<3> grasp({5, {0, arm, 0}}, {left, right});
+  const WeightRange<3> range = weight_range(grasp, up);
+  const double weight = 2 * max / std::hypot(1 / mu, arm / gamma);
+  EXPECT_NEAR(range.greatest.bound, weight, 1e-8 * weight);
+  EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
+  const LeastFriction<3> friction = least_friction(grasp, up);
+  EXPECT_NEAR(friction.bound, 5 / weight, 1e-8);
+  // Hard ones cannot resist the moment, whatever they press.
+  left.torsion = right.torsion = 0;
+  const Grasp<3> hard({5, {0, arm, 0}}, {left, right});
+  EXPECT_FALSE(weight_range(hard, up).holdable);
+  EXPECT_EQ(least_friction(hard, up).factor, infinity);
+}
+
+/// Held on one side of a limit, not on the other.
+template <class Holds>
+void changes_at(const Holds& holds, double held, double not_held) {
+  RC_ASSERT(holds(held));
+  RC_ASSERT(!holds(not_held));
+}
+
+RC_GTEST_PROP(CapacityInSpace, IsWhereHoldingEnds, ()) {
+  if (!one_in(5)) return;
+  space::Held held = *space::grasps({.least_contacts = 3, .most_contacts = 6, .awkward = false});
+  for (Contact<3>& contact : held.contacts)
+    if (contact.max_normal == infinity) contact.max_normal = contact.min_normal + 10 * real(1, 0.1);
+  const Grasp<3> grasp = held.grasp();
+  const Vector<3> up = space::random_direction();
+  const auto holds = [&](double weight) { return hold(with_weight(grasp, weight), up).holdable; };
+  const WeightRange<3> range = weight_range(grasp, up);
+  if (!range.holdable || range.greatest.weight < 1e-3) return;
+  RC_ASSERT(narrow(range.greatest.weight, range.greatest.bound));
+  changes_at(holds, range.greatest.weight * (1 - 1e-6), range.greatest.bound * (1 + 1e-6));
+  if (range.least.weight > 1e-3)
+    changes_at(holds, range.least.weight * (1 + 1e-6), range.least.bound * (1 - 1e-6));
+  const LeastFriction<3> friction = least_friction(grasp, up);
+  if (friction.factor < 1e3 && friction.bound > 1e-3)
+    changes_at([&](double factor) { return hold(with_friction(grasp, factor), up).holdable; },
+               friction.factor * (1 + 1e-6), friction.bound * (1 - 1e-6));
+}
+
+RC_GTEST_PROP(CapacityInSpace, GrowsWithTheLimitsAndNotWithTheWeight, ()) {
+  if (!one_in(5)) return;
+  const space::Held held =
+      *space::grasps({.least_contacts = 3, .most_contacts = 6, .awkward = false});
+  const Vector<3> up = space::random_direction();
+  const WeightRange<3> one = weight_range(held.grasp(), up);
+  if (!one.holdable || one.greatest.bound < 1e-3 || one.greatest.bound == infinity) return;
+  space::Held strong = held;
+  const double times = real(1, 8);
+  for (Contact<3>& contact : strong.contacts) {
+    contact.min_normal *= times;
+    contact.max_normal *= times;
+  }
+  strong.object.weight *= 3;
+  const WeightRange<3> other = weight_range(strong.grasp(), up);
+  RC_ASSERT(close(times * one.greatest.bound, other.greatest.bound, 1e-6L, 1e-6L));
+  RC_ASSERT(close(times * one.least.bound, other.least.bound, 1e-6L, 1e-6L));
+}
+
+}  // namespace
+}  // namespace poise::test
