@@ -1,0 +1,132 @@
+// A grasp in MuJoCo: a free body, and fingers that press on it with given normal forces. Friction
+// is left to the simulator.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "poise/grasp.hpp"
+
+namespace poise::test::physics {
+
+/// One finger for each contact: a small ball that slides along the inward normal alone, pressed on
+/// a flat pad of the object at the contact's position. Only these pairs touch. The weight acts on
+/// the object alone, so that fingers weigh nothing.
+class Scene {
+ public:
+  /// @param normal_forces  one for each contact
+  /// @param friction       what friction and torsion are multiplied by
+  Scene(const Grasp<3>& grasp, const Vector<3>& up, const std::vector<double>& normal_forces,
+        double friction)
+      : grasp_(grasp) {
+    const std::string xml = document(normal_forces, friction);
+    mjVFS files;
+    mj_defaultVFS(&files);
+    const char* name = "scene.xml";
+    mj_makeEmptyFileVFS(&files, name, static_cast<int>(xml.size()));
+    std::memcpy(files.filedata[0], xml.data(), xml.size());
+    char problem[1000] = "";
+    model_.reset(mj_loadXML(name, &files, problem, sizeof problem));
+    mj_deleteVFS(&files);
+    if (!model_) throw std::runtime_error(std::string(problem) + "\n" + xml);
+    data_.reset(mj_makeData(model_.get()));
+    const Vector<3> weight = -grasp.object().weight * up;
+    for (int k = 0; k < 3; ++k) data_->xfrc_applied[6 * object + k] = weight[k];
+    for (std::size_t k = 0, motor = 0; k < normal_forces.size(); ++k)
+      if (presses(normal_forces[k])) data_->ctrl[motor++] = normal_forces[k];
+  }
+
+  /// Presses for a while, after contact has been made with twice the friction, or the object would
+  /// begin with a small fall. @return how far the centre of mass, or a point beside it at the
+  /// distance of the farthest contact, has moved since [m]
+  double moved(double seconds) {
+    const std::vector<mjtNum> friction(model_->pair_friction,
+                                       model_->pair_friction + 5 * model_->npair);
+    for (int k = 0; k < 5 * model_->npair; ++k) model_->pair_friction[k] *= 2;
+    const double contact_made = 0.02;
+    while (data_->time < contact_made) mj_step(model_.get(), data_.get());
+    std::copy(friction.begin(), friction.end(), model_->pair_friction);
+    const Vector<3> before(data_->qpos);
+    const Eigen::Quaterniond turned_before = turned();
+    while (data_->time < contact_made + seconds) mj_step(model_.get(), data_.get());
+    return (Vector<3>(data_->qpos) - before).norm() +
+           turned().angularDistance(turned_before) * grasp_.radius();
+  }
+
+ private:
+  static constexpr int object = 1;  // body 0 is the world
+  static constexpr double ball = 0.01, pad = 0.05, gravity = 9.80665;
+
+  /// The object's orientation: after its position.
+  Eigen::Quaterniond turned() const {
+    const mjtNum* q = data_->qpos + 3;
+    return {q[0], q[1], q[2], q[3]};
+  }
+
+  static std::string text(const Vector<3>& v) {
+    std::ostringstream out;
+    out.precision(17);
+    out << v.x() << ' ' << v.y() << ' ' << v.z();
+    return out.str();
+  }
+
+  bool presses(double normal_force) const { return normal_force > 1e-9 * grasp_.object().weight; }
+
+  std::string document(const std::vector<double>& normal_forces, double friction) const {
+    const Vector<3> com = grasp_.object().com;
+    const double mass = grasp_.object().weight / gravity;
+    const double inertia = 0.4 * mass * grasp_.radius() * grasp_.radius();
+    std::ostringstream pads, fingers, pairs, motors;
+    for (std::ostringstream* out : {&pads, &fingers, &pairs, &motors}) out->precision(17);
+    for (std::size_t k = 0; k < grasp_.contacts().size(); ++k) {
+      if (!presses(normal_forces[k])) continue;
+      const Contact<3>& c = grasp_.contacts()[k];
+      const Vector<3>& n = c.normal;
+      pads << "<geom name='pad" << k << "' type='box' size='" << pad << ' ' << pad << ' ' << pad
+           << "' pos='" << text(c.position + pad * n - com) << "' zaxis='" << text(n)
+           << "' contype='0' conaffinity='0'/>\n";
+      // A micrometre inside the pad, so that they touch from the first step.
+      fingers << "<body pos='" << text(c.position - (ball - 1e-6) * n) << "'><joint name='slide"
+              << k << "' type='slide' axis='" << text(n) << "'/><geom name='ball" << k
+              << "' type='sphere' size='" << ball << "' mass='" << normal_forces[k] / gravity
+              << "' contype='0' conaffinity='0'/></body>\n";
+      const double mu = friction * c.friction;
+      pairs << "<pair geom1='pad" << k << "' geom2='ball" << k << "' condim='"
+            << (mu == 0         ? 1
+                : c.torsion > 0 ? 4
+                                : 3)
+            << "' friction='" << mu << ' ' << mu << ' ' << friction * c.torsion
+            << " 0 0' margin='0' solref='0.001 1' "
+            << "solimp='0.99 0.99 0.001'/>\n";
+      motors << "<motor joint='slide" << k << "'/>\n";
+    }
+    std::ostringstream xml;
+    xml.precision(17);
+    xml << "<mujoco><option timestep='1e-4' gravity='0 0 0' cone='elliptic' impratio='1000' "
+           "solver='Newton' iterations='100' tolerance='1e-12'/>\n<worldbody><body pos='"
+        << text(com) << "'><freejoint/><inertial pos='0 0 0' mass='" << mass << "' diaginertia='"
+        << inertia << ' ' << inertia << ' ' << inertia << "'/>\n"
+        << pads.str() << "</body>\n"
+        << fingers.str() << "</worldbody>\n<contact>" << pairs.str() << "</contact>\n<actuator>"
+        << motors.str() << "</actuator></mujoco>\n";
+    return xml.str();
+  }
+
+  struct Free {
+    void operator()(mjModel* model) const { mj_deleteModel(model); }
+    void operator()(mjData* data) const { mj_deleteData(data); }
+  };
+  Grasp<3> grasp_;
+  std::unique_ptr<mjModel, Free> model_;
+  std::unique_ptr<mjData, Free> data_;
+};
+
+}  // namespace poise::test::physics
