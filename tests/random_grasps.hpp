@@ -19,12 +19,14 @@ inline constexpr double pi = 3.14159265358979323846;
 inline const int fixed_seed = setenv("RC_PARAMS", "seed=20 max_success=2000", 0);
 
 /// An object and its contacts before they are checked: what laws can change.
-struct Held {
-  Object<2> object;
-  std::vector<Contact<2>> contacts;
+template <int Dim>
+struct Unchecked {
+  Object<Dim> object;
+  std::vector<Contact<Dim>> contacts;
 
-  Grasp<2> grasp() const { return Grasp<2>(object, contacts); }
+  Grasp<Dim> grasp() const { return Grasp<Dim>(object, contacts); }
 };
+using Held = Unchecked<2>;
 
 /// As C++, so that a failure can be pasted into a test.
 inline std::ostream& operator<<(std::ostream& out, const Held& held) {
@@ -87,6 +89,19 @@ inline Contact<2> random_contact(int family) {
   return contact;
 }
 
+/// Adds share and limits, and what is degenerate on purpose.
+template <int Dim>
+void complicate(Contact<Dim>& contact, const Unchecked<Dim>& held, const Recipe& recipe) {
+  if (one_in(4)) contact.share = real(1, 0.05);
+  if (recipe.limits && one_in(3)) contact.min_normal = held.object.weight * real(0, 0.5);
+  if (recipe.limits && one_in(3))
+    contact.max_normal = contact.min_normal + held.object.weight * real(2, 0);
+  if (!recipe.awkward) return;
+  if (one_in(12) && !held.contacts.empty()) contact.position = held.contacts.back().position;
+  if (one_in(16)) contact.position = held.object.com;
+  if (one_in(12)) contact.normal = -contact.normal;
+}
+
 /// A disk between two fingers whose friction is only just enough.
 inline rc::Gen<Held> nearly_unholdable() {
   return rc::gen::exec([] {
@@ -115,15 +130,7 @@ inline rc::Gen<Held> grasps(Recipe recipe = {}) {
     while (held.contacts.size() < count) {
       Contact<2> contact = random_contact(family);
       contact.friction = random_friction(awkward);
-      if (one_in(4)) contact.share = real(1, 0.05);
-      if (recipe.limits && one_in(3)) contact.min_normal = held.object.weight * real(0, 0.5);
-      if (recipe.limits && one_in(3))
-        contact.max_normal = contact.min_normal + held.object.weight * real(2, 0);
-      if (awkward) {
-        if (one_in(12) && !held.contacts.empty()) contact.position = held.contacts.back().position;
-        if (one_in(16)) contact.position = held.object.com;
-        if (one_in(12)) contact.normal = -contact.normal;
-      }
+      complicate(contact, held, recipe);
       held.contacts.push_back(contact);
       if (!mirrored || held.contacts.size() == count) continue;
       contact.position.x() *= -1;

@@ -5,18 +5,10 @@
 
 #include "random_grasps.hpp"
 
-namespace poise::test::space {
-
-/// An object and its contacts before they are checked: what laws can change.
-struct Held {
-  Object<3> object;
-  std::vector<Contact<3>> contacts;
-
-  Grasp<3> grasp() const { return Grasp<3>(object, contacts); }
-};
+namespace poise::test {
 
 /// As C++, so that a failure can be pasted into a test.
-inline std::ostream& operator<<(std::ostream& out, const Held& held) {
+inline std::ostream& operator<<(std::ostream& out, const Unchecked<3>& held) {
   const auto text = [&](const Vector<3>& v) {
     out << "{" << v.x() << ", " << v.y() << ", " << v.z() << "}";
   };
@@ -34,6 +26,10 @@ inline std::ostream& operator<<(std::ostream& out, const Held& held) {
   }
   return out << "}}";
 }
+
+namespace space {
+
+using Held = Unchecked<3>;
 
 /// A unit vector, often along the axes or in a plane of them.
 inline Vector<3> random_direction() {
@@ -67,15 +63,28 @@ inline rc::Gen<Held> grasps(Recipe recipe = {}) {
     const auto count = static_cast<std::size_t>(pick(recipe.least_contacts, recipe.most_contacts));
     while (held.contacts.size() < count) {
       Contact<3> contact = random_contact(family, awkward);
-      if (one_in(4)) contact.share = real(1, 0.05);
-      if (recipe.limits && one_in(3)) contact.min_normal = held.object.weight * real(0, 0.5);
-      if (recipe.limits && one_in(3))
-        contact.max_normal = contact.min_normal + held.object.weight * real(2, 0);
-      if (awkward) {
-        if (one_in(12) && !held.contacts.empty()) contact.position = held.contacts.back().position;
-        if (one_in(16)) contact.position = held.object.com;
-        if (one_in(12)) contact.normal = -contact.normal;
-      }
+      complicate(contact, held, recipe);
+      held.contacts.push_back(contact);
+    }
+    return held;
+  });
+}
+
+/// Two to five fingers round a ball, all on its upper half, whose friction is only just enough.
+inline rc::Gen<Held> nearly_unholdable() {
+  return rc::gen::exec([] {
+    Held held;
+    const double phi = real(pi / 6, pi / 2.1);
+    const int fingers = pick(2, 5);
+    const bool soft = fingers == 2 || one_in(2);
+    const double friction = 1 / std::tan(phi) + std::pow(10, -pick(1, 4));
+    for (int k = 0; k < fingers; ++k) {
+      const Vector<2> out = std::sin(phi) * direction(2 * pi * k / fingers);
+      Contact<3> contact;
+      contact.position = {out.x(), out.y(), std::cos(phi)};
+      contact.normal = -contact.position;
+      contact.friction = friction;
+      if (soft) contact.torsion = real(0.5, 0.01);
       held.contacts.push_back(contact);
     }
     return held;
@@ -99,4 +108,5 @@ inline Held moved(Held held, const Eigen::Matrix3d& R, const Vector<3>& by) {
   return held;
 }
 
-}  // namespace poise::test::space
+}  // namespace space
+}  // namespace poise::test

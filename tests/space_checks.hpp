@@ -18,6 +18,16 @@ using Real6 = Eigen::Matrix<Real, 6, 1>;
 
 inline constexpr Real balance_tolerance = 1e-12L;
 
+/// Directions spread evenly over the sphere.
+inline std::vector<Vector<3>> directions(int count) {
+  std::vector<Vector<3>> points;
+  for (int k = 0; k < count; ++k) {
+    const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(1 - z * z), turn = 2.399963 * k;
+    points.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+  }
+  return points;
+}
+
 /// A force on the object, in the object frame, and a moment about the contact's normal.
 struct Force {
   Real normal{0};
