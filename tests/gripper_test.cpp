@@ -354,7 +354,7 @@ TEST(ParallelJaw, TenThousandPosesTouchBothSidesOrSayWhyNot) {
   for (const auto& [why, count] : reasons) {
     RecordProperty(why.empty() ? "held" : why, count);
     // Between two solids a pad meets one alone where a ray grazes; never often.
-    if (why.find("the other one does") != why.npos) {
+    if (why.find("the other one does") != std::string::npos) {
       EXPECT_LT(count, 10) << why;
     }
   }

@@ -141,7 +141,7 @@ class MeshFile : public testing::Test {
   static Strings of_mesh(const SpatialFile& file) {
     Strings lines;
     for (const std::string& line : file.warnings)
-      if (const auto mesh = line.find("object.shape.mesh"); mesh != line.npos)
+      if (const auto mesh = line.find("object.shape.mesh"); mesh != std::string::npos)
         lines.push_back(line.substr(mesh));
     return lines;
   }
@@ -429,7 +429,11 @@ std::string data_folder(const std::string& part) {
 Eigen::Vector4d by_columns(const Mesh& mesh, int columns) {
   const Eigen::AlignedBox3d in = bounds(mesh);
   const Vector<3> size = in.sizes();
-  std::vector<double> sums(static_cast<std::size_t>(columns * columns) * 2, 0.0);
+  const auto index_of = [&](int column, int row) {
+    return static_cast<std::size_t>(column) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(row);
+  };
+  std::vector<double> sums(2 * index_of(columns, 0), 0.0);
   const double dx = size.x() / columns, dy = size.y() / columns;
   for (const auto& [i, j, k] : mesh.triangles) {
     const Vector<3>&a = mesh.vertices[static_cast<std::size_t>(i)],
@@ -455,7 +459,7 @@ Eigen::Vector4d by_columns(const Mesh& mesh, int columns) {
                      w = cross(a, b, x, y) / twice;
         if (u < 0 || v < 0 || w < 0) continue;
         const double z = u * a.z() + v * b.z() + w * c.z() - in.min().z();
-        const auto at = static_cast<std::size_t>(2 * (column * columns + row));
+        const std::size_t at = 2 * index_of(column, row);
         sums[at] += twice > 0 ? z : -z;
         sums[at + 1] += (twice > 0 ? z : -z) * z / 2;
       }
@@ -463,7 +467,7 @@ Eigen::Vector4d by_columns(const Mesh& mesh, int columns) {
   Eigen::Vector4d total = Eigen::Vector4d::Zero();
   for (int column = 0; column < columns; ++column)
     for (int row = 0; row < columns; ++row) {
-      const auto at = static_cast<std::size_t>(2 * (column * columns + row));
+      const std::size_t at = 2 * index_of(column, row);
       total += dx * dy *
                Eigen::Vector4d(sums[at], sums[at] * (in.min().x() + (column + 0.5001) * dx),
                                sums[at] * (in.min().y() + (row + 0.5003) * dy),

@@ -47,7 +47,7 @@ inline Mesh soup(const Mesh& mesh) {
 inline Mesh box_mesh(const Vector3d& size) {
   Mesh mesh;
   for (int k = 0; k < 8; ++k)
-    mesh.vertices.push_back(size.cwiseProduct(Vector3d(k & 1, (k >> 1) & 1, (k >> 2) & 1)));
+    mesh.vertices.emplace_back(size.cwiseProduct(Vector3d(k & 1, (k >> 1) & 1, (k >> 2) & 1)));
   for (const auto& [a, b, c, d] :
        {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
         std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
