@@ -2,6 +2,10 @@
 include(GNUInstallDirs)
 
 install(TARGETS program COMPONENT program)
+install(TARGETS poise_mesh poise_data LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/poise
+  COMPONENT program)
+set_target_properties(program PROPERTIES
+  INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}/poise")
 install(FILES packaging/completion.bash RENAME poise
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program

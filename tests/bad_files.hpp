@@ -877,15 +877,249 @@ inline const std::vector<BadFile> bad_files{
      "object: {weight: 10, shape: {box: {size: [1, 1, 1]}, sphere: {radius: 1}}}\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:29: object.shape: has 2 kinds, must have one: box, cylinder, sphere or ellipsoid"},
+     "3:29: object.shape: has 2 kinds, must have one: box, cylinder, sphere, ellipsoid or mesh"},
     {"a mesh",
      "poise: 1\n"
      "dimension: 3\n"
      "object: {weight: 10, shape: {mesh: cup.stl}}\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:36: object.shape.mesh: meshes are not read yet, must be a box, cylinder, sphere or "
-     "ellipsoid; or leave the shape out, and give com and normals"},
+     "3:36: object.shape.mesh: cup.stl does not exist"},
+    {"a mesh of no kind",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {mesh: 3}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:36: object.shape.mesh: is 3, must be a mapping (keys: file, scale)"},
+    {"a mesh of no size",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {mesh: {file: cup.stl, scale: 0}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:59: object.shape.mesh.scale: is 0, must be above 0"},
+    {"a mesh without file",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {mesh: {scale: 1}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:36: object.shape.mesh.file: is missing, must be a file"},
+    {"a mesh that is a folder",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {mesh: .}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:36: object.shape.mesh: . is a folder, must be a file"},
+    {"a mesh without end",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {mesh: /dev/zero}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:36: object.shape.mesh: /dev/zero is not a regular file"},
+    {"a mesh in the plane",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, shape: {mesh: cup.stl}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:30: object.shape.mesh: belongs to space (dimension 3), not to the plane"},
+    {"density in the plane",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {density: 10, shape: {disk: {radius: 1}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
+     "3:10: object.density: belongs to space (dimension 3), not to the plane"},
+    {"density and mass",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {mass: 1, density: 10, shape: {sphere: {radius: 1}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], friction: 1}\n",
+     "3:28: object.density: is given as well as mass, must be one of them"},
+    {"density of nothing",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {density: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:19: object.density: needs a volume, but there is no shape: give weight or mass"},
+    {"no density",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {density: 0, shape: {sphere: {radius: 1}}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], friction: 1}\n",
+     "3:19: object.density: is 0, must be above 0"},
+    {"density beside scenarios",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {density: 1, scenarios: [{weight: 1, com: [0, 0, 0]}]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:19: object.density: is given beside scenarios, must be given in each of them"},
+    {"a robot that is not there",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {inertial: {urdf: robot.urdf, link: cup}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:27: object.inertial.urdf: robot.urdf does not exist"},
+    {"a robot without link",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {inertial: {urdf: robot.urdf}}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:20: object.inertial.link: is missing, must be the name of a link"},
+    {"inertial and com",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {inertial: {urdf: robot.urdf, link: cup}, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "3:56: object.com: is given as well as inertial, must be one of them"},
+    {"gripper in the plane",
+     "poise: 1\n"
+     "dimension: 2\n"
+     "object: {weight: 10, com: [0, 0]}\n"
+     "gripper: {type: parallel_jaw}\n",
+     "4:1: gripper: belongs to space (dimension 3), not to the plane"},
+    {"gripper beside contacts",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], friction: 1}\n",
+     "6:3: contacts: are given as well as a gripper, must be one of them"},
+    {"gripper without shape",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "gripper: {type: parallel_jaw}\n",
+     "4:10: gripper: needs a shape to close on: give object.shape"},
+    {"gripper of no type",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: suction}\n",
+     "4:17: gripper.type: is \"suction\", must be parallel_jaw or fingertips"},
+    {"gripper nowhere",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1}\n",
+     "4:10: gripper.position: is missing, must be [x, y, z]"},
+    {"gripper without friction",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, position: [0, 0, 0]}\n",
+     "4:10: gripper.friction: is missing, must be a number"},
+    {"gripper with an unknown key",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, position: [0, 0, 0], openning: 3}\n",
+     "4:65: gripper.openning: is not a known key, the nearest is opening"},
+    {"gripper that cannot open",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, position: [0, 0, 0], opening: 0}\n",
+     "4:74: gripper.opening: is 0, must be above 0"},
+    {"gripper without pad",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, position: [0, 0, 0], opening: 3}\n",
+     "4:10: gripper.pad: is missing, must be a mapping (keys: width, height, depth)"},
+    {"pad of negative depth",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, position: [0, 0, 0], opening: 3,\n"
+     "  pad: {width: 1, height: 1, depth: -1}}\n",
+     "5:37: gripper.pad.depth: is -1, must be at least 0"},
+    {"half a sample",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, position: [0, 0, 0], opening: 3,\n"
+     "  pad: {width: 1, height: 1}, samples: 2.5}\n",
+     "5:40: gripper.samples: is 2.5, must be a whole number from 1 to 10000"},
+    {"rotation of three numbers",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, quaternion: [0, 0, 1]}\n",
+     "4:56: gripper.quaternion: is a list of 3, must be [w, x, y, z]"},
+    {"rotation without length",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, quaternion: [0, 0, 0, 0]}\n",
+     "4:56: gripper.quaternion: has no length, must be a rotation [w, x, y, z]"},
+    {"torsion of a smooth gripper",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 0, torsion: 1}\n",
+     "4:53: gripper.torsion: is given without friction, must be left out, or give friction above "
+     "0"},
+    {"jaws that miss",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, position: [0, 3, 0], opening: 3,\n"
+     "  pad: {width: 1, height: 1}}\n",
+     "4:10: gripper: the pads meet nothing: the object is not between them"},
+    {"jaws inside",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, position: [0, 0, 0], opening: 1,\n"
+     "  pad: {width: 0.1, height: 0.1}}\n",
+     "4:10: gripper: both pads begin inside the object: open wider, or move the gripper"},
+    {"one jaw inside",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, position: [1, 0, 0], opening: 1,\n"
+     "  pad: {width: 0.1, height: 0.1}}\n",
+     "4:10: gripper: the left pad begins inside the object: open wider, or move the gripper"},
+    {"no rays",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: fingertips, friction: 1, rays: []}\n",
+     "4:48: gripper.rays: is empty, must hold at least one ray"},
+    {"ray without direction",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: fingertips, friction: 1, rays: [{origin: [0, 0, 2], direction: [0, 0, "
+     "0]}]}\n",
+     "4:80: gripper.rays[0].direction: has no length, must be a direction"},
+    {"ray that misses",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: fingertips, friction: 1, rays: [{origin: [0, 0, 2], direction: [0, 0, "
+     "1]}]}\n",
+     "4:10: gripper: finger 0 meets nothing: its ray passes the object"},
+    {"ray from inside",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: fingertips, friction: 1,\n"
+     "  rays: [{origin: [0, 0, 0], direction: [0, 0, 1], finger: thumb}]}\n",
+     "4:10: gripper: finger thumb begins inside the object: begin farther out"},
     {"box of two sizes",
      "poise: 1\n"
      "dimension: 3\n"

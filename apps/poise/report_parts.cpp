@@ -41,7 +41,11 @@ std::string shape_text(const Solid& solid, const Lengths& lengths) {
            lengths.text(cylinder->height) + unit;
   if (const auto* sphere = std::get_if<Sphere>(&solid))
     return "sphere, radius " + lengths.text(sphere->radius) + unit;
-  return "ellipsoid, radii " + product(std::get<Ellipsoid>(solid).radii);
+  if (const auto* ellipsoid = std::get_if<Ellipsoid>(&solid))
+    return "ellipsoid, radii " + product(ellipsoid->radii);
+  const auto& mesh = std::get<MeshShape>(solid);
+  return fmt::format("mesh of {} triangles, {}", mesh.mesh->triangles.size(),
+                     product(bounds(solid).sizes()));
 }
 
 template <int Dim>

@@ -80,6 +80,8 @@ bool Field::truth() const {
 
 bool Field::is_null() const { return std::holds_alternative<std::monostate>(value_->data); }
 
+bool Field::is_text() const { return std::holds_alternative<std::string>(value_->data); }
+
 const std::string& Field::text() const {
   const auto* text = std::get_if<std::string>(&value_->data);
   if (!text &&

@@ -32,6 +32,7 @@ class Field {
   double finite() const;
   bool truth() const;
   bool is_null() const;
+  bool is_text() const;
   /// A line of text, not empty.
   const std::string& text() const;
   /// One of these words.

@@ -4,6 +4,8 @@
 
 #include "files/field.hpp"
 #include "files/grasp_document.hpp"
+#include "files/gripper_field.hpp"
+#include "files/mesh_field.hpp"
 #include "files/plausible.hpp"
 #include "shape/number_text.hpp"
 
@@ -87,14 +89,9 @@ Solid read_kind<3>(const Field& field) {
     sphere->mapping({"radius"});
     return Sphere{sphere->get("radius", "a length").number()};
   }
-  if (const auto ellipsoid = field.find("ellipsoid")) {
-    ellipsoid->mapping({"radii"});
-    return Ellipsoid{ellipsoid->get("radii", "[a, b, c]").vector<3>()};
-  }
-  field.get("mesh", "a file")
-      .fail(
-          "meshes are not read yet, must be a box, cylinder, sphere or ellipsoid; or leave the "
-          "shape out, and give com and normals");
+  const Field ellipsoid = field.get("ellipsoid", "a mapping");
+  ellipsoid.mapping({"radii"});
+  return Ellipsoid{ellipsoid.get("radii", "[a, b, c]").vector<3>()};
 }
 
 Shape scaled(Shape shape, double unit) {
@@ -117,12 +114,15 @@ Solid scaled(Solid solid, double unit) {
 }
 
 template <int Dim>
-ShapeOf<Dim> read_shape(const Field& field, double unit) {
+ShapeOf<Dim> read_shape(const Field& field, double unit, std::vector<std::string>& warnings) {
   const Mapping& kinds = check_keys<Dim>(field, {}, {"disk", "ellipse", "polygon"},
                                          {"box", "cylinder", "sphere", "ellipsoid", "mesh"});
   if (kinds.size() != 1)
-    field.fail("has " + std::to_string(kinds.size()) + " kinds, must have one: " +
-               (Dim == 2 ? "disk, ellipse or polygon" : "box, cylinder, sphere or ellipsoid"));
+    field.fail(
+        "has " + std::to_string(kinds.size()) + " kinds, must have one: " +
+        (Dim == 2 ? "disk, ellipse or polygon" : "box, cylinder, sphere, ellipsoid or mesh"));
+  if constexpr (Dim == 3)
+    if (const auto mesh = field.find("mesh")) return read_mesh_shape(*mesh, unit, warnings);
   const ShapeOf<Dim> shape = read_kind<Dim>(field);
   try {
     check(shape);
@@ -133,21 +133,56 @@ ShapeOf<Dim> read_shape(const Field& field, double unit) {
   return scaled(shape, unit);
 }
 
-double read_weight(const Field& object) {
+/// Why a shape has neither volume nor centroid, or nothing.
+template <int Dim>
+std::string without_volume(const std::optional<ShapeOf<Dim>>& shape) {
+  if (!shape) return "there is no shape";
+  if constexpr (Dim == 3)
+    if (const auto* mesh = std::get_if<MeshShape>(&*shape); mesh && !mesh->defect.empty())
+      return "the mesh " + mesh->defect;
+  return "";
+}
+
+double above_zero(const Field& field) {
+  const double value = field.number();
+  if (!(value > 0)) field.fail("is " + number_text(value) + ", must be above 0");
+  return value;
+}
+
+template <int Dim>
+double read_weight(const Field& object, const std::optional<ShapeOf<Dim>>& shape) {
   const auto weight = object.find("weight"), mass = object.find("mass");
   if (weight && mass) mass->fail("is given as well as weight, must be one of them");
-  if (!mass) return object.get("weight", "a force [N], or give mass [kg]").number();
-  if (const double kilograms = mass->number(); kilograms > 0) return kilograms * standard_gravity;
-  mass->fail("is " + number_text(mass->number()) + ", must be above 0");
+  if constexpr (Dim == 3)
+    if (const auto density = object.find("density")) {
+      if (weight || mass)
+        density->fail("is given as well as " + std::string(weight ? "weight" : "mass") +
+                      ", must be one of them");
+      if (const std::string why = without_volume<3>(shape); !why.empty())
+        density->fail("needs a volume, but " + why + ": give weight or mass");
+      return above_zero(*density) * volume(*shape) * standard_gravity;
+    }
+  if (mass) return above_zero(*mass) * standard_gravity;
+  return object.get("weight", "a force [N], or give mass [kg]").number();
 }
 
 /// Weight and centre of mass.
 template <int Dim>
 Object<Dim> read_object(const Field& field, double unit, const std::optional<ShapeOf<Dim>>& shape) {
-  Object<Dim> object{.weight = read_weight(field)};
-  if (const auto com = field.find("com"); com || !shape)
-    object.com = unit * field.get("com", std::string(coordinates<Dim>) + ", as there is no shape")
-                            .template vector<Dim>();
+  if constexpr (Dim == 3)
+    if (const auto inertial = field.find("inertial")) {
+      for (const char* key : {"weight", "mass", "density", "com"})
+        if (const auto other = field.find(key))
+          other->fail("is given as well as inertial, must be one of them");
+      const Inertial link = read_inertial(*inertial);
+      return {.weight = link.mass * standard_gravity, .com = link.com};
+    }
+  Object<Dim> object{.weight = read_weight<Dim>(field, shape)};
+  const std::string why = without_volume<Dim>(shape);
+  if (const auto com = field.find("com"); com || !why.empty())
+    object.com =
+        unit *
+        field.get("com", std::string(coordinates<Dim>) + ", as " + why).template vector<Dim>();
   else
     object.com = centroid(*shape);
   return object;
@@ -157,12 +192,12 @@ std::vector<Object<3>> read_scenarios(const Field& object, double unit,
                                       const std::optional<Solid>& shape) {
   const auto list = object.find("scenarios");
   if (!list) return {read_object<3>(object, unit, shape)};
-  for (const char* key : {"weight", "mass", "com"})
+  for (const char* key : {"weight", "mass", "density", "inertial", "com"})
     if (const auto field = object.find(key))
       field->fail("is given beside scenarios, must be given in each of them");
   std::vector<Object<3>> scenarios;
   for (const Field& scenario : list->list()) {
-    scenario.mapping({"weight", "mass", "com"});
+    scenario.mapping({"weight", "mass", "density", "inertial", "com"});
     scenarios.push_back(read_object<3>(scenario, unit, shape));
   }
   if (scenarios.empty()) list->fail("is empty, must hold at least one scenario");
@@ -230,7 +265,7 @@ void read_head(const Field& root, CommonFile<Dim>& file) {
   check_keys<Dim>(root,
                   {"poise", "dimension", "name", "safety", "domain", "length_unit", "normals",
                    "object", "contacts"},
-                  {"angle_deg"}, {"up", "tilt"});
+                  {"angle_deg"}, {"up", "tilt", "gripper"});
   if (const auto name = root.find("name")) file.name = name->text();
   if (const auto safety = root.find("safety")) file.safety = safety->number();
 }
@@ -238,8 +273,10 @@ void read_head(const Field& root, CommonFile<Dim>& file) {
 template <int Dim>
 Field read_shape_of_object(const Field& root, double unit, CommonFile<Dim>& file) {
   const Field object = root.get("object", "a mapping");
-  check_keys<Dim>(object, {"weight", "mass", "com", "shape"}, {}, {"scenarios"});
-  if (const auto shape = object.find("shape")) file.shape = read_shape<Dim>(*shape, unit);
+  check_keys<Dim>(object, {"weight", "mass", "com", "shape"}, {},
+                  {"density", "inertial", "scenarios"});
+  if (const auto shape = object.find("shape"))
+    file.shape = read_shape<Dim>(*shape, unit, file.warnings);
   return object;
 }
 
@@ -249,6 +286,25 @@ void read_contacts(const Field& root, double unit, CommonFile<Dim>& file) {
   const bool outward = normals && normals->word({"inward", "outward"}) == "outward";
   for (const Field& contact : root.get("contacts", "a list").list())
     file.contacts.push_back(read_contact<Dim>(contact, unit, outward, file.shape));
+}
+
+/// The contacts of a gripper that closes on the shape.
+void close_gripper(const Field& root, const Field& gripper, double unit, SpatialFile& file) {
+  if (const auto contacts = root.find("contacts"))
+    contacts->fail("are given as well as a gripper, must be one of them");
+  if (!file.shape) gripper.fail("needs a shape to close on: give object.shape");
+  file.gripper = read_gripper(gripper, unit);
+  try {
+    file.contacts = contacts(*file.gripper, Surface(*file.shape));
+  } catch (const MissedGrip& error) {
+    gripper.fail(error.what());
+  }
+}
+
+template <int Dim>
+void add_doubts(CommonFile<Dim>& file, const std::vector<Grasp<Dim>>& grasps, const Field& root) {
+  const std::vector<std::string> lines = doubts<Dim>(file, grasps, root);
+  file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
 }
 
 /// The grasp of an object, which is written at `object_path`, by the contacts of a file.
@@ -275,7 +331,7 @@ PlanarFile read_planar(const Field& root) {
   const Field object = read_shape_of_object<2>(root, unit, file);
   file.object = read_object<2>(object, unit, file.shape);
   read_contacts<2>(root, unit, file);
-  file.warnings = doubts<2>(file, {checked_grasp<2>(root, file.object, "object", file)}, root);
+  add_doubts<2>(file, {checked_grasp<2>(root, file.object, "object", file)}, root);
   return file;
 }
 
@@ -289,11 +345,14 @@ SpatialFile read_spatial(const Field& root) {
   const double unit = read_unit(root);
   const Field object = read_shape_of_object<3>(root, unit, file);
   file.scenarios = read_scenarios(object, unit, file.shape);
-  read_contacts<3>(root, unit, file);
+  if (const auto gripper = root.find("gripper"))
+    close_gripper(root, *gripper, unit, file);
+  else
+    read_contacts<3>(root, unit, file);
   std::vector<Grasp<3>> grasps;
   for (std::size_t k = 0; k < file.scenarios.size(); ++k)
     grasps.push_back(checked_grasp<3>(root, file.scenarios[k], object_path(root, k), file));
-  file.warnings = doubts<3>(file, grasps, root);
+  add_doubts<3>(file, grasps, root);
   return file;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files/file_error.hpp"
+#include "gripper/gripper.hpp"
 #include "poise/best_spatial_posture.hpp"
 #include "poise/posture.hpp"
 #include "shape/shape.hpp"
@@ -39,6 +40,7 @@ struct SpatialFile : CommonFile<3> {
   std::vector<Object<3>> scenarios{};  ///< what the object may be: one, unless the file has several
   std::optional<Vector<3>> up{};       ///< the posture in which it is held now
   std::optional<Tilt> tilt{};          ///< the postures to choose from; none: all
+  std::optional<Gripper> gripper{};    ///< where the contacts come from, if the file has one
 
   /// One for each scenario.
   std::vector<Grasp<3>> grasps() const;

@@ -31,17 +31,20 @@ class Doubts {
 template <int Dim>
 void check_weight(Doubts& doubts, const Grasp<Dim>& grasp, const Field& object) {
   const double weight = grasp.object().weight;
-  if (weight < 1e-4 || weight > 1e5)
-    doubts.add(object.path() + (object.find("mass") ? ".mass" : ".weight"),
-               "makes a weight of " + number_text(weight, 3) +
-                   " N: is the unit right (weight in N, mass in kg)?");
+  if (weight < 1e-4 || weight > 1e5) {
+    std::string key = "weight";
+    for (const char* other : {"mass", "density", "inertial"})
+      if (object.find(other)) key = other;
+    doubts.add(object.path() + "." + key, "makes a weight of " + number_text(weight, 3) +
+                                              " N: is the unit right (weight in N, mass in kg)?");
+  }
 }
 
 template <int Dim>
-void check_radius(Doubts& doubts, const Grasp<Dim>& grasp) {
+void check_radius(Doubts& doubts, const Grasp<Dim>& grasp, const std::string& contacts) {
   if (const double radius = grasp.radius(); radius < 1e-4 || radius > 5)
-    doubts.add("contacts", "the farthest is " + number_text(radius, 3) +
-                               " m from the centre of mass: is length_unit right?");
+    doubts.add(contacts, "the farthest is " + number_text(radius, 3) +
+                             " m from the centre of mass: is length_unit right?");
 }
 
 template <int Dim>
@@ -49,6 +52,9 @@ void check_com(Doubts& doubts, const Vector<Dim>& com, const ShapeOf<Dim>& shape
                const std::string& object) {
   if (!bounds(shape).contains(com)) doubts.add(object + ".com", "lies outside the shape");
 }
+
+bool is_mesh(const Shape& /*none*/) { return false; }
+bool is_mesh(const Solid& solid) { return std::holds_alternative<MeshShape>(solid); }
 
 /// A normal that is written in the file, against the shape, or else against the centre of mass.
 template <int Dim>
@@ -65,6 +71,8 @@ void check_normal(Doubts& doubts, const std::string& path, const std::optional<S
         doubts.add(path + ".normal", "is " + number_text(angle, 3) +
                                          " degrees away from the inward normal of the shape");
       return;
+    } else if (is_mesh(*shape)) {
+      return;  // the com says nothing about the sides of an edge
     }
   }
   if (contact.normal.dot(com - contact.position) < 0)
@@ -88,13 +96,15 @@ std::vector<std::string> doubts(const CommonFile<Dim>& file, const std::vector<G
   const Grasp<Dim>& grasp = grasps.front();
   for (std::size_t k = 0; k < grasps.size(); ++k)
     check_weight(doubts, grasps[k], root.follow(object_path(root, k)));
-  check_radius(doubts, grasp);
+  const bool gripped = root.find("gripper").has_value();
+  check_radius(doubts, grasp, gripped ? "gripper" : "contacts");
   for (std::size_t k = 0; k < grasps.size() && file.shape; ++k)
     check_com<Dim>(doubts, grasps[k].object().com, *file.shape, object_path(root, k));
 
   std::map<std::vector<double>, std::size_t> positions;
   for (std::size_t i = 0; i < file.contacts.size(); ++i) {
-    const std::string path = "contacts[" + std::to_string(i) + "]";
+    if (gripped && i > 0) break;  // they are all alike
+    const std::string path = gripped ? "gripper" : "contacts[" + std::to_string(i) + "]";
     const Contact<Dim>& contact = grasp.contacts()[i];
     if (root.follow(path).find("normal"))
       check_normal<Dim>(doubts, path, file.shape, contact, grasp.object().com);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "poise/object.hpp"
+#include "shape/mesh.hpp"
 
 namespace poise {
 
@@ -51,8 +53,16 @@ struct Ellipsoid {
   Vector<3> radii = Vector<3>::Ones();  ///< semi-axes along x, y and z [m]
 };
 
+/// A body bounded by a mesh that was read from a file.
+struct MeshShape {
+  std::shared_ptr<const Mesh> mesh{};  ///< [m], in the object frame
+  std::string defect{};                ///< why it has no volume and no inside; empty where it has
+  std::string file{};
+  double scale{1};  ///< of the mesh in the file: metres for one of its units
+};
+
 /// A body in space.
-using Solid = std::variant<Box, Cylinder, Sphere, Ellipsoid>;
+using Solid = std::variant<Box, Cylinder, Sphere, Ellipsoid, MeshShape>;
 
 template <int Dim>
 using ShapeOf = std::conditional_t<Dim == 2, Shape, Solid>;
@@ -81,9 +91,10 @@ class NoNormal : public std::invalid_argument {
 void check(const Shape& shape);
 void check(const Solid& solid);
 
-double area(const Shape& shape);  ///< [m^2]
+double area(const Shape& shape);    ///< [m^2]
+double volume(const Solid& solid);  ///< [m^3]; of a mesh, one without defect
 Vector<2> centroid(const Shape& shape);
-Vector<3> centroid(const Solid& solid);
+Vector<3> centroid(const Solid& solid);  ///< of a mesh, one without defect
 
 /// The scale of a shape [m]: its larger radius, or half the diagonal of its bounding box.
 double size(const Shape& shape);

@@ -3,11 +3,14 @@
 #include <cmath>
 #include <vector>
 
+#include "shape/mesh_shape.hpp"
 #include "shape/shape.hpp"
 #include "shape/sizes.hpp"
 
 namespace poise {
 namespace {
+
+constexpr double pi = 3.14159265358979323846;
 
 // Up to here a point within the tolerance of one side is never within that of the opposite one.
 constexpr double most_slender = 5000;
@@ -85,25 +88,44 @@ void check(const Solid& solid) {
                  [](const Ellipsoid& ellipsoid) {
                    check_sizes<3>(ellipsoid.radii, "ellipsoid.radii", most_slender, "5000");
                  },
+                 [](const MeshShape& /*checked when it was mended*/) {},
              },
              solid);
 }
 
-Vector<3> centroid(const Solid& /*centred*/) { return Vector<3>::Zero(); }
+double volume(const Solid& solid) {
+  return std::visit(
+      Overloaded{
+          [](const Box& box) { return box.size.prod(); },
+          [](const Cylinder& c) { return pi * c.radius * c.radius * c.height; },
+          [](const Sphere& sphere) { return 4 * pi / 3 * std::pow(sphere.radius, 3); },
+          [](const Ellipsoid& ellipsoid) { return 4 * pi / 3 * ellipsoid.radii.prod(); },
+          [](const MeshShape& shape) { return volume(*shape.mesh); },
+      },
+      solid);
+}
+
+Vector<3> centroid(const Solid& solid) {
+  const auto* shape = std::get_if<MeshShape>(&solid);
+  return shape ? centroid(*shape->mesh) : Vector<3>(Vector<3>::Zero());
+}
 
 double size(const Solid& solid) {
-  return std::visit(Overloaded{
-                        [](const Box& box) { return box.size.norm() / 2; },
-                        [](const Cylinder& cylinder) {
-                          return std::hypot(cylinder.radius, cylinder.radius, cylinder.height / 2);
-                        },
-                        [](const Sphere& sphere) { return sphere.radius; },
-                        [](const Ellipsoid& ellipsoid) { return ellipsoid.radii.maxCoeff(); },
-                    },
-                    solid);
+  return std::visit(
+      Overloaded{
+          [](const Box& box) { return box.size.norm() / 2; },
+          [](const Cylinder& cylinder) {
+            return std::hypot(cylinder.radius, cylinder.radius, cylinder.height / 2);
+          },
+          [](const Sphere& sphere) { return sphere.radius; },
+          [](const Ellipsoid& ellipsoid) { return ellipsoid.radii.maxCoeff(); },
+          [](const MeshShape& shape) { return bounds(*shape.mesh).diagonal().norm() / 2; },
+      },
+      solid);
 }
 
 Eigen::AlignedBox3d bounds(const Solid& solid) {
+  if (const auto* shape = std::get_if<MeshShape>(&solid)) return bounds(*shape->mesh);
   const Vector<3> half = std::visit(
       Overloaded{
           [](const Box& box) -> Vector<3> { return box.size / 2; },
@@ -112,6 +134,7 @@ Eigen::AlignedBox3d bounds(const Solid& solid) {
           },
           [](const Sphere& sphere) -> Vector<3> { return Vector<3>::Constant(sphere.radius); },
           [](const Ellipsoid& ellipsoid) { return ellipsoid.radii; },
+          [](const MeshShape& /*above*/) -> Vector<3> { return Vector<3>::Zero(); },
       },
       solid);
   return {-half, half};
@@ -124,6 +147,9 @@ Boundary<3> boundary(const Solid& solid, const Vector<3>& point) {
           [&](const Cylinder& cylinder) { return boundary_of(cylinder, point); },
           [&](const Sphere& sphere) { return boundary_of_ball<3>(sphere.radius, point); },
           [&](const Ellipsoid& e) { return boundary_of_ellipsoid<3>(e.radii, point); },
+          [&](const MeshShape& shape) {
+            return boundary_of(shape, point, boundary_tolerance * size(solid));
+          },
       },
       solid);
 }

@@ -1,0 +1,71 @@
+// Grippers that close on a body, and where they touch it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "gripper/surface.hpp"
+#include "poise/contact.hpp"
+
+namespace poise {
+
+/// Where a gripper is: its frame in the object frame.
+struct Pose {
+  Vector<3> position = Vector<3>::Zero();                           ///< [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of length 1
+};
+
+/// Two pads that face each other, rectangles across the x axis of the gripper's frame at
+/// x = -opening / 2 (left) and x = +opening / 2 (right), in the middle of y and z. They close along
+/// x.
+struct ParallelJaw {
+  Pose pose{};
+  double opening{0};           ///< [m], > 0
+  double width{0}, height{0};  ///< of a pad, along y and z [m], > 0
+  double depth{0.001};         ///< how far a pad gives way [m], >= 0
+  double friction{0}, torsion{0};
+  int samples{16};                                            ///< rays of a pad
+  double max_force{std::numeric_limits<double>::infinity()};  ///< of a pad [N]
+};
+
+/// A finger that moves along a ray until it touches, in the gripper's frame.
+struct Fingertip {
+  Vector<3> origin = Vector<3>::Zero();      ///< [m]
+  Vector<3> direction = Vector<3>::UnitX();  ///< of length 1
+  std::string finger{};                      ///< label; "" for one of its own
+};
+
+/// Fingers of a hand, each of which touches at one point.
+struct Fingertips {
+  Pose pose{};
+  std::vector<Fingertip> rays{};
+  double friction{0}, torsion{0};
+  double max_force{std::numeric_limits<double>::infinity()};  ///< of each [N]
+};
+
+using Gripper = std::variant<ParallelJaw, Fingertips>;
+
+/// A gripper that does not hold the object between its fingers; what() says why.
+class MissedGrip : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Where the gripper touches.
+///
+/// From each pad of a parallel jaw `samples` rays run along x, from the centres of equal cells in
+/// rows and columns, as near to squares as the number allows. The pad moves until the first of them
+/// meets the surface; those that meet it within `depth` of that are the contacts, each with 1 /
+/// samples of the pad (share) and of its greatest force, whether or not the others touch: a pad
+/// that touches with a part of its area is not said to be stronger than it is. Each pad moves until
+/// it touches, even beyond the middle: object or gripper give way.
+///
+/// Normals are those of the surface, towards the side that the ray comes from turned inwards.
+/// @throws MissedGrip where a finger misses the object, or begins inside it
+std::vector<Contact<3>> contacts(const Gripper& gripper, const Surface& surface);
+
+}  // namespace poise

@@ -1,0 +1,26 @@
+#include <console_bridge/console.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include "readers/regular_file.hpp"
+
+namespace poise::readers {
+
+Inertial read_inertial(const std::string& file, const std::string& name) {
+  check_regular_file(file);
+  console_bridge::noOutputHandler();
+  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDFFile(file);
+  if (!model) throw ReadError("is not a robot model (URDF)");
+  const urdf::LinkConstSharedPtr link = model->getLink(name);
+  if (!link) {
+    std::string known;
+    for (const auto& [each, unused] : model->links_) known += (known.empty() ? "" : ", ") + each;
+    throw ReadError("has no link " + name + ", its links are " + known);
+  }
+  if (!link->inertial) throw ReadError("has no inertial in its link " + name);
+  const urdf::Vector3& com = link->inertial->origin.position;
+  const Inertial inertial{link->inertial->mass, {com.x, com.y, com.z}};
+  if (!(inertial.mass > 0)) throw ReadError("has no mass above 0 in its link " + name);
+  return inertial;
+}
+
+}  // namespace poise::readers

@@ -1,0 +1,20 @@
+// What the modules offer to load.cpp: one table each.
+#pragma once
+
+#include "readers/readers.hpp"
+
+namespace poise {
+
+/// assimp, urdfdom and Embree.
+struct MeshModule {
+  decltype(&read_mesh) mesh;
+  decltype(&read_inertial) inertial;
+  decltype(&triangle_finder) finder;
+};
+
+/// HDF5.
+struct DataModule {
+  decltype(&read_acronym) acronym;
+};
+
+}  // namespace poise

@@ -1,0 +1,68 @@
+// What is read and searched by libraries that take long to load: assimp, urdfdom, Embree, HDF5.
+// They stand in modules, shared libraries of ours that are loaded when a file first asks for one,
+// so that a program that needs none of them starts as fast as ever.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "shape/mesh.hpp"
+
+namespace poise {
+
+/// A file that cannot be read; what() says why, without its name: "is a folder, must be a file".
+class ReadError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The triangles of a file (STL, OBJ, PLY or glTF), its polygons cut into triangles, all its meshes
+/// where its nodes put them: as they stand there, open or closed, in the unit of the file.
+/// @throws ReadError
+Mesh read_mesh(const std::string& file);
+
+/// Finds triangles along rays, in single precision.
+class TriangleFinder {
+ public:
+  TriangleFinder() = default;
+  TriangleFinder(const TriangleFinder&) = delete;
+  TriangleFinder& operator=(const TriangleFinder&) = delete;
+  virtual ~TriangleFinder() = default;
+
+  /// The index of the triangle that a ray meets first, from either side.
+  virtual std::optional<int> first(const Eigen::Vector3d& origin,
+                                   const Eigen::Vector3d& direction) const = 0;
+};
+
+/// @throws ReadError where the module cannot be loaded
+std::unique_ptr<TriangleFinder> triangle_finder(const Mesh& mesh);
+
+/// The inertial of a link of a robot model, in the link's frame.
+struct Inertial {
+  double mass{0};                                 ///< [kg], > 0
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();  ///< centre of mass [m]
+};
+
+/// @throws ReadError
+Inertial read_inertial(const std::string& urdf, const std::string& link);
+
+/// A file of the ACRONYM data set as it stands: an object and grasps of it.
+struct AcronymData {
+  std::string mesh{};  ///< "meshes/Mug/10f6....obj", beneath the folder of the data set
+  double scale{1};     ///< of the mesh: metres for one of its units
+  double mass{0};      ///< [kg]
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();  ///< [m], in the frame of the scaled mesh
+  double friction{0};
+  std::string gripper{};                      ///< "panda"
+  std::vector<Eigen::Matrix4d> transforms{};  ///< of the gripper's base, in the scaled mesh frame
+  std::vector<bool> held{};                   ///< whether the object stayed in it when shaken
+};
+
+/// @throws ReadError
+AcronymData read_acronym(const std::string& file);
+
+}  // namespace poise

@@ -1,0 +1,404 @@
+// Where grippers touch: against closed forms, against every triangle tried by itself, and by laws.
+#include "gripper/gripper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+
+#include "meshes.hpp"
+
+namespace poise {
+namespace {
+
+using namespace test;
+
+Solid solid_of(Mesh mesh) {
+  return MeshShape{.mesh = std::make_shared<const Mesh>(std::move(mesh))};
+}
+
+Vector<3> random_direction(std::mt19937& random) {
+  std::normal_distribution<double> number;
+  const double x = number(random), y = number(random);
+  return Vector<3>(x, y, number(random)).normalized();
+}
+
+Eigen::Quaterniond random_rotation(std::mt19937& random) {
+  std::normal_distribution<double> number;
+  const double w = number(random), x = number(random), y = number(random);
+  return Eigen::Quaterniond(w, x, y, number(random)).normalized();
+}
+
+/// Distance, and outward normal of the triangle.
+struct Hit {
+  double distance{std::numeric_limits<double>::infinity()};
+  Vector<3> outward = Vector<3>::Zero();
+};
+
+/// The first triangle on a ray: each of them solved as three equations.
+Hit first_hit(const Mesh& mesh, const Vector<3>& origin, const Vector<3>& direction) {
+  Hit hit;
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vector<3>&a = mesh.vertices[static_cast<std::size_t>(i)],
+          &b = mesh.vertices[static_cast<std::size_t>(j)],
+          &c = mesh.vertices[static_cast<std::size_t>(k)];
+    Eigen::Matrix3d equations;
+    equations << b - a, c - a, -direction;
+    const double volume = equations.determinant();
+    if (volume == 0) continue;
+    const Vector<3> uvt = equations.inverse() * (origin - a);
+    if (uvt[0] < 0 || uvt[1] < 0 || uvt[0] + uvt[1] > 1 || uvt[2] < 0) continue;
+    if (uvt[2] < hit.distance) hit = {uvt[2], (b - a).cross(c - a).normalized()};
+  }
+  return hit;
+}
+
+const ParallelJaw jaw{.opening = 0.1,
+                      .width = 0.02,
+                      .height = 0.04,
+                      .friction = 0.5,
+                      .torsion = 0.003,
+                      .samples = 8,
+                      .max_force = 40};
+
+TEST(ParallelJaw, TouchesABoxOnBothSides) {
+  for (const Solid& box :
+       {Solid(Box{{0.06, 0.1, 0.1}}),
+        solid_of(moved(box_mesh({0.06, 0.1, 0.1}),
+                       Eigen::Affine3d(Eigen::Translation3d(-0.03, -0.05, -0.05))))}) {
+    const std::vector<Contact<3>> all = contacts(jaw, Surface(box));
+    ASSERT_EQ(all.size(), 16U);
+    std::map<std::string, int> fingers;
+    Vector<3> sum = Vector<3>::Zero();
+    for (const Contact<3>& c : all) {
+      const double side = c.finger == "left" ? -1 : 1;
+      ++fingers[c.finger];
+      sum += c.position;
+      EXPECT_NEAR(c.position.x(), side * 0.03, 1e-15);
+      EXPECT_LE((c.normal - Vector<3>(-side, 0, 0)).norm(), 1e-15);
+      // 2 x 4 cells of 1 cm: their centres.
+      EXPECT_NEAR(std::abs(c.position.y()), 0.005, 1e-15);
+      EXPECT_NEAR(std::abs(std::abs(c.position.z()) - 0.01), 0.005, 1e-15);
+      EXPECT_EQ(c.friction, 0.5);
+      EXPECT_EQ(c.torsion, 0.003);
+      EXPECT_EQ(c.max_normal, 5);
+      EXPECT_EQ(c.share, 0.125);
+      EXPECT_EQ(c.min_normal, 0);
+    }
+    EXPECT_EQ(fingers, (std::map<std::string, int>{{"left", 8}, {"right", 8}}));
+    EXPECT_LE(sum.norm(), 1e-14);
+  }
+}
+
+TEST(ParallelJaw, TouchesASphereAsFarAsItsPadsGiveWay) {
+  const double r = 0.03;
+  const Surface sphere{Solid(Sphere{r})};
+  ParallelJaw fine = jaw;
+  fine.samples = 800;
+  for (const double depth : {0.0, 0.001, 0.003, 0.1}) {
+    fine.depth = depth;
+    double nearest = 1;  // of a ray to the axis
+    std::size_t within = 0;
+    for (int i = 0; i < 20; ++i)
+      for (int j = 0; j < 40; ++j)
+        nearest = std::min(nearest, std::hypot((i - 9.5) * 0.001, (j - 19.5) * 0.001));
+    const double first = std::sqrt(r * r - nearest * nearest);
+    for (int i = 0; i < 20; ++i)
+      for (int j = 0; j < 40; ++j) {
+        const double off = std::hypot((i - 9.5) * 0.001, (j - 19.5) * 0.001);
+        if (std::sqrt(r * r - off * off) >= first - depth - 1e-15) ++within;
+      }
+    const std::vector<Contact<3>> all = contacts(fine, sphere);
+    EXPECT_EQ(all.size(), 2 * within) << depth;
+    for (const Contact<3>& c : all) {
+      EXPECT_NEAR(c.position.norm(), r, 1e-15);
+      EXPECT_LE((c.normal + c.position / r).norm(), 1e-13);
+    }
+  }
+}
+
+TEST(ParallelJaw, OddNumbersOfSamplesStillFillThePad) {
+  // The mean square distance of n cell centres from the middle of a side.
+  for (const int samples : {1, 2, 3, 5, 6, 7, 12, 16, 24, 97}) {
+    ParallelJaw other = jaw;
+    other.samples = samples;
+    const auto all = contacts(other, Surface(Box{{0.06, 0.1, 0.1}}));
+    ASSERT_EQ(all.size(), 2U * static_cast<std::size_t>(samples));
+    double share = 0;
+    Vector<3> sum = Vector<3>::Zero();
+    for (const Contact<3>& c : all) {
+      if (c.finger == "left") share += c.share;
+      sum += c.position;
+      EXPECT_LT(std::abs(c.position.y()), 0.01);
+      EXPECT_LT(std::abs(c.position.z()), 0.02);
+    }
+    EXPECT_NEAR(share, 1, 1e-14);
+    EXPECT_LE(sum.norm(), 1e-13);
+  }
+}
+
+/// Contacts of both, one by one; how far apart the farthest are, and how much their normals differ.
+void expect_near(const std::vector<Contact<3>>& a, const std::vector<Contact<3>>& b, double length,
+                 double angle) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_LE((a[i].position - b[i].position).norm(), length);
+    EXPECT_LE((a[i].normal - b[i].normal).norm(), angle);
+    EXPECT_EQ(a[i].finger, b[i].finger);
+  }
+}
+
+TEST(Surface, OfAShapeIsThatOfItsMesh) {
+  std::mt19937 random(3);
+  const int n = 400;  // the mesh lies within 1 - cos(pi / n) = 3e-5 of the radius
+  struct Pair {
+    Solid exact, mesh;
+    double off;
+  };
+  const Vector<3> radii(3, 2, 1.5);
+  const std::vector<Pair> pairs{
+      {Box{{4, 2, 1}},
+       solid_of(moved(box_mesh({4, 2, 1}), Eigen::Affine3d(Eigen::Translation3d(-2, -1, -0.5)))),
+       1e-12},
+      {Cylinder{1, 3}, solid_of(cylinder_mesh(1, 3, n)), 1e-3},
+      {Sphere{2}, solid_of(sphere_mesh(2, n / 2, n)), 1e-3},
+      {Ellipsoid{radii},
+       solid_of(moved(sphere_mesh(1, n / 2, n), Eigen::Affine3d(radii.asDiagonal()))), 1e-3}};
+  for (const Pair& pair : pairs) {
+    const Surface exact(pair.exact), mesh(pair.mesh);
+    int met = 0;
+    for (int k = 0; k < 3000; ++k) {
+      const Vector<3> direction = random_direction(random),
+                      origin = (k % 4 == 0 ? 0.3 : 5) * random_direction(random);
+      const auto a = exact.first(origin, direction), b = mesh.first(origin, direction);
+      // Where it grazes, one may be missed and the other not.
+      if (!a || !b || std::abs(direction.dot(a->outward)) < 0.2) continue;
+      // Beside an edge, too.
+      if ((a->outward - b->outward).norm() > 0.05) continue;
+      ++met;
+      EXPECT_NEAR(a->distance, b->distance, pair.off) << pair.exact.index();
+      EXPECT_LE((a->point - b->point).norm(), pair.off);
+    }
+    EXPECT_GT(met, 700) << pair.exact.index();
+  }
+}
+
+TEST(Surface, OfAMeshIsItsFirstTriangle) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> number(-1, 1);
+  // Far from the origin, where single precision alone would be lost.
+  const Eigen::Affine3d away(Eigen::Translation3d(3, -2, 1));
+  const Mesh mesh = moved(torus_mesh(0.1, 0.04, 40, 24), away);
+  const Surface surface(solid_of(mesh));
+  int met = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const Vector<3> origin =
+        away * Vector<3>(0.2 * number(random), 0.2 * number(random), 0.1 * number(random));
+    const Vector<3> direction = random_direction(random);
+    const Hit hit = first_hit(mesh, origin, direction);
+    const auto found = surface.first(origin, direction);
+    ASSERT_EQ(found.has_value(), std::isfinite(hit.distance));
+    if (!found) continue;
+    ++met;
+    // Beside an edge Embree may name the neighbour, whose plane is there, too.
+    EXPECT_NEAR(found->distance, hit.distance, 1e-7);
+    if ((found->outward - hit.outward).norm() < 1e-9) {
+      EXPECT_NEAR(found->distance, hit.distance, 1e-13);
+    }
+  }
+  EXPECT_GT(met, 900);
+}
+
+TEST(ParallelJaw, MovesWithTheObject) {
+  std::mt19937 random(5);
+  const Mesh mesh = torus_mesh(0.03, 0.012, 60, 40);
+  ParallelJaw at = jaw;
+  at.pose.position = {0, 0.03, 0};
+  const auto here = contacts(at, Surface(solid_of(mesh)));
+  for (int k = 0; k < 50; ++k) {
+    const Eigen::Quaterniond turn = random_rotation(random);
+    const Vector<3> step = 0.5 * random_direction(random);
+    const Eigen::Affine3d motion = Eigen::Translation3d(step) * turn;
+    ParallelJaw other = at;
+    other.pose = {motion * at.pose.position, turn * at.pose.orientation};
+    auto there = contacts(other, Surface(solid_of(moved(mesh, motion))));
+    for (Contact<3>& c : there) {
+      c.position = motion.inverse() * c.position;
+      c.normal = turn.inverse() * c.normal;
+    }
+    expect_near(here, there, 1e-8, 1e-12);
+  }
+}
+
+TEST(ParallelJaw, GrowsWithTheObject) {
+  const Mesh mesh = torus_mesh(0.03, 0.012, 60, 40);
+  ParallelJaw at = jaw;
+  at.pose.position = {0, 0.03, 0};
+  const auto here = contacts(at, Surface(solid_of(mesh)));
+  for (const double scale : {0.001, 7.0, 1000.0}) {
+    ParallelJaw other = at;
+    other.pose.position *= scale;
+    for (double* length : {&other.opening, &other.width, &other.height, &other.depth})
+      *length *= scale;
+    auto there =
+        contacts(other, Surface(solid_of(moved(mesh, Eigen::Affine3d(Eigen::Scaling(scale))))));
+    for (Contact<3>& c : there) c.position /= scale;
+    expect_near(here, there, 1e-8, 1e-12);
+  }
+}
+
+TEST(ParallelJaw, TheWallOfACupMayBeBetweenThePads) {
+  // A cup: outer radius 40 mm, wall 4 mm, 90 mm high, its bottom 5 mm.
+  const Mesh cup = turned_mesh(
+      {{0, 0}, {0.04, 0}, {0.04, 0.09}, {0.036, 0.09}, {0.036, 0.005}, {0, 0.005}}, 256);
+  ParallelJaw at = jaw;
+  at.opening = 0.02;
+  at.pose.position = {0.038, 0, 0.075};
+  at.height = 0.02;
+  const auto all = contacts(at, Surface(solid_of(cup)));
+  int left = 0;
+  for (const Contact<3>& c : all) {
+    EXPECT_NEAR(std::hypot(c.position.x(), c.position.y()), c.finger == "left" ? 0.036 : 0.04,
+                1e-5);
+    EXPECT_GT(c.normal.x() * (c.finger == "left" ? 1 : -1), 0.9);
+    left += c.finger == "left" ? 1 : 0;
+  }
+  EXPECT_EQ(left, 8);
+  EXPECT_EQ(all.size(), 16U);
+}
+
+std::string reason(const Gripper& gripper, const Solid& solid) {
+  try {
+    contacts(gripper, Surface(solid));
+  } catch (const MissedGrip& missed) {
+    return missed.what();
+  }
+  return "";
+}
+
+TEST(ParallelJaw, SaysWhichPadIsAmiss) {
+  const Solid box = Box{{0.06, 0.1, 0.1}};
+  ParallelJaw at = jaw;
+  EXPECT_EQ(reason(at, box), "");
+  at.pose.position = {0, 0.2, 0};
+  EXPECT_EQ(reason(at, box), "the pads meet nothing: the object is not between them");
+  at.pose.position = {0.09, 0, 0};  // from 0.04 on, beside the box
+  EXPECT_EQ(reason(at, box), "the pads meet nothing: the object is not between them");
+  at.pose.position = {0.03, 0, 0};
+  EXPECT_EQ(reason(at, box),
+            "the left pad begins inside the object: open wider, or move the gripper");
+  at.pose.position = {-0.03, 0, 0};
+  EXPECT_EQ(reason(at, box),
+            "the right pad begins inside the object: open wider, or move the gripper");
+  at.opening = 0.04;
+  at.pose.position = {0, 0, 0};
+  EXPECT_EQ(reason(at, box), "both pads begin inside the object: open wider, or move the gripper");
+}
+
+TEST(ParallelJaw, AnOpenMeshIsTouchedFromOutside) {
+  Mesh open =
+      moved(box_mesh({0.06, 0.1, 0.1}), Eigen::Affine3d(Eigen::Translation3d(-0.03, -0.05, -0.05)));
+  for (const Mesh& given : {open, inside_out(open)}) {
+    Mesh mesh = given;
+    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4);  // no bottom, no top
+    const Solid solid = MeshShape{.mesh = std::make_shared<const Mesh>(mesh), .defect = "is open"};
+    expect_near(contacts(jaw, Surface(solid)), contacts(jaw, Surface(solid_of(open))), 1e-15,
+                1e-15);
+  }
+}
+
+TEST(ParallelJaw, TenThousandPosesTouchBothSidesOrSayWhyNot) {
+  const Mesh mug = together(
+      turned_mesh({{0, 0}, {0.04, 0}, {0.04, 0.09}, {0.036, 0.09}, {0.036, 0.005}, {0, 0.005}}, 96),
+      moved(torus_mesh(0.025, 0.005, 48, 16),
+            Eigen::Translation3d(0.0701, 0, 0.045) *
+                Eigen::AngleAxisd(std::acos(0.0), Vector<3>::UnitX())));
+  const Solid solid = solid_of(mug);
+  const Surface surface(solid);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::map<std::string, int> reasons;
+  for (int k = 0; k < 10000; ++k) {
+    ParallelJaw at = jaw;
+    at.pose = {Vector<3>(0.06 * number(random) + 0.02, 0.06 * number(random),
+                         0.045 + 0.06 * number(random)),
+               random_rotation(random)};
+    at.opening = 0.05 + 0.04 * number(random);
+    try {
+      const auto all = contacts(at, surface);
+      int left = 0, right = 0;
+      for (const Contact<3>& c : all) {
+        ++(c.finger == "left" ? left : right);
+        const Vector<3> inwards =
+            at.pose.orientation * Vector<3>(c.finger == "left" ? 1 : -1, 0, 0);
+        EXPECT_GE(c.normal.dot(inwards), 0);
+        // In the gripper's frame it is between the pads.
+        const Vector<3> local = at.pose.orientation.inverse() * (c.position - at.pose.position);
+        EXPECT_LE(std::abs(local.x()), at.opening / 2 * (1 + 1e-6));
+        EXPECT_LE(std::abs(local.y()), at.width / 2);
+        EXPECT_LE(std::abs(local.z()), at.height / 2);
+        if (k % 50 == 0) {
+          EXPECT_LE(boundary(solid, c.position).distance, 1e-8);
+        }
+      }
+      EXPECT_GT(left, 0);
+      EXPECT_GT(right, 0);
+      ++reasons[""];
+    } catch (const MissedGrip& missed) {
+      ++reasons[missed.what()];
+    }
+  }
+  for (const auto& [why, count] : reasons) {
+    RecordProperty(why.empty() ? "held" : why, count);
+    // Between two solids a pad meets one alone where a ray grazes; never often.
+    if (why.find("the other one does") != why.npos) {
+      EXPECT_LT(count, 10) << why;
+    }
+  }
+  EXPECT_GT(reasons[""], 500);
+  EXPECT_GT(reasons["the pads meet nothing: the object is not between them"], 500);
+  EXPECT_GT(reasons["the left pad begins inside the object: open wider, or move the gripper"], 100);
+  EXPECT_GT(reasons["the right pad begins inside the object: open wider, or move the gripper"],
+            100);
+}
+
+TEST(Fingertips, TouchWhereTheirRaysMeetTheObject) {
+  const double r = 0.05, root = std::sqrt(0.5);
+  Fingertips hand{.rays = {{{0.2, 0, 0.01}, {-1, 0, 0}, "thumb"},
+                           {{-0.2, 0.2, 0}, {root, -root, 0}, "index"},
+                           {{0, 0, -1}, {0, 0, 1}, ""}},
+                  .friction = 0.7,
+                  .torsion = 0.002,
+                  .max_force = 9};
+  auto all = contacts(hand, Surface(Solid(Sphere{r})));
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_LE((all[0].position - Vector<3>(std::sqrt(r * r - 1e-4), 0, 0.01)).norm(), 1e-15);
+  EXPECT_LE((all[1].position - r * Vector<3>(-root, root, 0)).norm(), 1e-15);
+  EXPECT_LE((all[2].position - Vector<3>(0, 0, -r)).norm(), 1e-15);
+  for (const Contact<3>& c : all) {
+    EXPECT_LE((c.normal + c.position / r).norm(), 1e-14);
+    EXPECT_EQ(c.friction, 0.7);
+    EXPECT_EQ(c.torsion, 0.002);
+    EXPECT_EQ(c.max_normal, 9);
+    EXPECT_EQ(c.share, 1);
+  }
+  EXPECT_EQ(all[0].finger, "thumb");
+  EXPECT_EQ(all[2].finger, "");
+  // The rays are in the frame of the hand.
+  hand.pose = {{1, 2, 3}, Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5)};  // x to y to z to x
+  const Mesh sphere =
+      moved(sphere_mesh(r, 100, 200), Eigen::Affine3d(Eigen::Translation3d(1, 2, 3)));
+  all = contacts(hand, Surface(solid_of(sphere)));
+  EXPECT_LE((all[0].position - Vector<3>(1.01, 2 + std::sqrt(r * r - 1e-4), 3)).norm(), 1e-4);
+  EXPECT_EQ(reason(Fingertips{.rays = {{{0, 0, 1.01}, {0, 1, 0}, "little"}}}, Sphere{1}),
+            "finger little meets nothing: its ray passes the object");
+  EXPECT_EQ(
+      reason(Fingertips{.rays = {{{0, 0, 2}, {0, 0, -1}}, {{0, 0, 0.5}, {0, 1, 0}}}}, Sphere{1}),
+      "finger 1 begins inside the object: begin farther out");
+}
+
+}  // namespace
+}  // namespace poise
