@@ -26,6 +26,7 @@ _poise() {
         --orientation'
       ;;
     curve) flags='-h --help --json --domain --force-cap --plot' ;;
+    contacts) flags='-h --help -o --out' ;;
     view) flags='-h --help -o --out' ;;
     paper) flags='-h --help --json --out --phi --mu1 --mu2 --weight' ;;
     *) return ;;
@@ -34,7 +35,7 @@ _poise() {
   case $before in
     --domain) mapfile -t COMPREPLY < <(compgen -W 'all pinched' -- "$word") ;;
     --plot) _poise_files svg ;;
-    -o) _poise_files html ;;
+    -o) _poise_files 'html|yaml|yml|json' ;;
     --out)
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$word")
@@ -45,7 +46,7 @@ _poise() {
       if [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$flags" -- "$word")
       elif [[ -z $command ]]; then
-        mapfile -t COMPREPLY < <(compgen -W 'check hold best curve verify view paper' -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W 'check contacts hold best curve verify view paper' -- "$word")
       elif [[ $command != paper ]]; then
         _poise_files 'yaml|yml|json'
       fi

@@ -523,5 +523,54 @@ TEST_F(Space, ChecksSayWhatWasUnderstood) {
     EXPECT_NE(run.out.find(words), run.out.npos) << words << "\n" << run.out;
 }
 
+/// A box in two pads.
+const std::string jaws =
+    "poise: 1\ndimension: 3\nlength_unit: mm\nup: [0, 0, 1]\n"
+    "object: {density: 800, com: [0, 5, 0], shape: {mesh: part.obj}}\n"
+    "gripper: {type: parallel_jaw, position: [0, 0, 10], opening: 60, pad: {width: 20, height: "
+    "20},\n"
+    "  friction: 0.5, samples: 4, max_force: 30}\n";
+
+TEST_F(Space, ContactsOfAGripperAreAGraspFile) {
+  // Edges of 40, 60 and 80 mm.
+  std::string mesh;
+  for (int k = 0; k < 8; ++k)
+    mesh += std::string("v ") + (k & 1 ? "20 " : "-20 ") + (k & 2 ? "30 " : "-30 ") +
+            (k & 4 ? "40\n" : "-40\n");
+  mesh += "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+  fs::create_directories(folder() / "parts");
+  fs::create_directories(folder() / "other");
+  write("parts/part.obj", mesh);
+  write("parts/jaws.yaml", jaws);
+  const Json check = json("check parts/jaws.yaml");
+  ASSERT_EQ(check["contacts"].size(), 8U);
+  EXPECT_NEAR(check["scenarios"][0]["weight"], 0.04 * 0.06 * 0.08 * 800 * standard_gravity, 1e-9);
+  const Json now = json("hold parts/jaws.yaml");
+  EXPECT_EQ(now["holdable"], true);
+  for (const std::string out : {"here.yaml", "other/there.json"}) {
+    const Outcome run = poise("contacts parts/jaws.yaml -o " + out);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.out, "Wrote " + out + "\n");
+    const Json again = json("check " + out);
+    EXPECT_EQ(again["contacts"], check["contacts"]);
+    EXPECT_EQ(again["scenarios"], check["scenarios"]);
+    EXPECT_EQ(json("hold " + out), now);
+  }
+  const Outcome printed = poise("contacts parts/jaws.yaml");
+  EXPECT_EQ(printed.out, contents(folder() / "here.yaml"));
+  EXPECT_EQ(poise("contacts parts/none.yaml").status, 2);
+  EXPECT_EQ(poise("contacts parts/jaws.yaml -o none/out.yaml").status, 2);
+  // In the plane there are contacts, too.
+  EXPECT_EQ(poise("contacts " + example("l-part")).status, 0);
+}
+
+TEST_F(Space, AMeshThatCannotBeUsedIsBadInput) {
+  write("jaws.yaml", jaws);
+  const Outcome run = poise("best jaws.yaml");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err, "poise: jaws.yaml:5:54: object.shape.mesh: part.obj does not exist\n");
+}
+
 }  // namespace
 }  // namespace poise

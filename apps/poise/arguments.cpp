@@ -140,7 +140,7 @@ struct Parser {
   Arguments arguments{};
   std::optional<std::string> angle{}, up{}, domain{}, force_cap{}, phi{}, mu1{}, mu2{}, weight{};
   std::optional<std::string> gap{}, max_holds{}, tilt_from{}, tilt_max{}, orientation{};
-  std::optional<std::string> page{};
+  std::optional<std::string> page{}, out{};
 
   Parser() {
     app.name("poise");
@@ -192,8 +192,18 @@ struct Parser {
                      "What check, hold, best or curve printed by --json")
         ->type_name("")
         ->required();
+    add_contacts();
     add_view();
     add_paper();
+  }
+
+  void add_contacts() {
+    CLI::App* const contacts =
+        app.add_subcommand("contacts", "Where a gripper touches: the grasp file with contacts")
+            ->group("Commands");
+    contacts->add_option("FILE", arguments.file, "The grasp file")->type_name("")->required();
+    contacts->add_option("-o,--out", out, "The grasp file to write, instead of printing it")
+        ->type_name("FILE");
   }
 
   void add_view() {
@@ -236,13 +246,14 @@ struct Parser {
 
   void read_values() {
     const std::string& name = app.get_subcommands().front()->get_name();
-    arguments.command = name == "check"    ? Command::check
-                        : name == "hold"   ? Command::hold
-                        : name == "best"   ? Command::best
-                        : name == "curve"  ? Command::curve
-                        : name == "verify" ? Command::verify
-                        : name == "view"   ? Command::view
-                                           : Command::paper;
+    arguments.command = name == "check"      ? Command::check
+                        : name == "contacts" ? Command::contacts
+                        : name == "hold"     ? Command::hold
+                        : name == "best"     ? Command::best
+                        : name == "curve"    ? Command::curve
+                        : name == "verify"   ? Command::verify
+                        : name == "view"     ? Command::view
+                                             : Command::paper;
     if (angle) arguments.angle_deg = read_angle(*angle);
     if (up) arguments.up = read_direction("--up", *up, 2, 3, "0.5,0.8 (in space 0.5,0,0.8)");
     if (gap) arguments.gap = read_gap(*gap);
@@ -252,6 +263,8 @@ struct Parser {
     if (orientation) arguments.orientation = read_orientation(*orientation);
     if (domain) arguments.domain = read_domain(*domain);
     if (arguments.plot && arguments.plot->empty()) throw UsageError("--plot: '' is not a file");
+    if (out && out->empty()) throw UsageError("--out: '' is not a file");
+    arguments.out = out.value_or("");
     if (page && page->empty()) throw UsageError("--out: '' is not a file");
     arguments.page = page ? *page : page_of(arguments.file);
     PaperArguments& paper = arguments.paper;
@@ -279,7 +292,7 @@ struct Parser {
                        options_of(command));
     if (before)
       throw UsageError("unknown command " + quoted(word) +
-                       ", must be check, hold, best, curve, verify, view or paper");
+                       ", must be check, contacts, hold, best, curve, verify, view or paper");
     throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
                      (command.get_name() == "paper"    ? "no FILE"
                       : command.get_name() == "verify" ? "one FILE and one RESULT"

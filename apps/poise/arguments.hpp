@@ -12,7 +12,7 @@
 
 namespace poise {
 
-enum class Command { check, hold, best, curve, verify, view, paper };
+enum class Command { check, contacts, hold, best, curve, verify, view, paper };
 
 /// What `paper` draws beside the paper's own figures; what is not given is that of Fig. 6.
 struct PaperArguments {
@@ -39,6 +39,7 @@ struct Arguments {
   std::optional<Eigen::Quaterniond> orientation{};  ///< object to world
   std::optional<std::string> plot{};                ///< the SVG file to draw
   std::string page{};                               ///< the file to write the page to
+  std::string out{};                                ///< the grasp file to write; "": print it
   PaperArguments paper{};
 };
 

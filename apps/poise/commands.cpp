@@ -4,8 +4,10 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
+#include "files/grasp_writer.hpp"
 #include "files/result.hpp"
 #include "files/spatial.hpp"
 #include "paper.hpp"
@@ -162,6 +164,20 @@ Answer answer_in(const SpatialFile& file, const Arguments& arguments) {
                                             : answer_best(arguments, file, grasps);
 }
 
+/// The contacts of a grasp file as a grasp file, printed or written.
+Answer answer_contacts(const Arguments& arguments, const GraspFile& any) {
+  std::string folder = ".";
+  if (!arguments.out.empty())
+    folder = std::filesystem::absolute(arguments.out).parent_path().string();
+  const std::string text =
+      std::holds_alternative<PlanarFile>(any)
+          ? grasp_document(std::get<PlanarFile>(any))
+          : grasp_document(std::get<SpatialFile>(any), Held::by_contacts, folder);
+  if (arguments.out.empty()) return {text};
+  write_file(text, arguments.out);
+  return {"Wrote " + arguments.out + "\n"};
+}
+
 }  // namespace
 
 Answer answer(const Arguments& arguments) {
@@ -175,6 +191,7 @@ Answer answer(const Arguments& arguments) {
   return std::visit(
       [&](const auto& file) {
         if (arguments.command != Command::check) warn(file.warnings);
+        if (arguments.command == Command::contacts) return answer_contacts(arguments, any);
         return answer_in(file, arguments);
       },
       any);
