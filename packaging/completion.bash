@@ -27,6 +27,7 @@ _poise() {
       ;;
     curve) flags='-h --help --json --domain --force-cap --plot' ;;
     contacts) flags='-h --help -o --out' ;;
+    import) flags='-h --help --mesh-root --grasp -o --out' ;;
     view) flags='-h --help -o --out' ;;
     paper) flags='-h --help --json --out --phi --mu1 --mu2 --weight' ;;
     *) return ;;
@@ -36,17 +37,21 @@ _poise() {
     --domain) mapfile -t COMPREPLY < <(compgen -W 'all pinched' -- "$word") ;;
     --plot) _poise_files svg ;;
     -o) _poise_files 'html|yaml|yml|json' ;;
-    --out)
+    --out | --mesh-root)
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$word")
       ;;
     --angle | --up | --force-cap | --gap | --max-holds | --tilt-from | --tilt-max | --orientation) ;;
-    --phi | --mu1 | --mu2 | --weight) ;;  # numbers
+    --grasp | --phi | --mu1 | --mu2 | --weight) ;;  # numbers
     *)
       if [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$flags" -- "$word")
       elif [[ -z $command ]]; then
-        mapfile -t COMPREPLY < <(compgen -W 'check contacts hold best curve verify view paper' -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W 'check contacts hold best curve verify view import paper' -- "$word")
+      elif [[ $command == import && $before == import ]]; then
+        mapfile -t COMPREPLY < <(compgen -W acronym -- "$word")
+      elif [[ $command == import ]]; then
+        _poise_files h5
       elif [[ $command != paper ]]; then
         _poise_files 'yaml|yml|json'
       fi

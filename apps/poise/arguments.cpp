@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 #include "files/text.hpp"
 
@@ -93,6 +94,13 @@ int read_max_holds(const std::string& text) {
   return static_cast<int>(*holds);
 }
 
+std::size_t read_grasp(const std::string& text) {
+  const auto number = parsed(text);
+  if (!number || !(*number >= 0 && *number <= 1e9) || *number != std::floor(*number))
+    throw UsageError("--grasp: " + quoted(text) + " is not the number of a grasp, the first is 0");
+  return static_cast<std::size_t>(*number);
+}
+
 double read_force_cap(const std::string& text) {
   const auto cap = parsed(text);
   if (!cap || !(*cap > 0 && *cap <= 1e9))
@@ -140,7 +148,8 @@ struct Parser {
   Arguments arguments{};
   std::optional<std::string> angle{}, up{}, domain{}, force_cap{}, phi{}, mu1{}, mu2{}, weight{};
   std::optional<std::string> gap{}, max_holds{}, tilt_from{}, tilt_max{}, orientation{};
-  std::optional<std::string> page{}, out{};
+  std::optional<std::string> page{}, out{}, grasp{};
+  std::string kind{};
 
   Parser() {
     app.name("poise");
@@ -194,7 +203,27 @@ struct Parser {
         ->required();
     add_contacts();
     add_view();
+    add_import();
     add_paper();
+  }
+
+  void add_import() {
+    CLI::App* const import =
+        app.add_subcommand("import", "A grasp of a data set as a grasp file")->group("Commands");
+    import->add_option("KIND", kind, "acronym, the only data set that is known")
+        ->type_name("")
+        ->required();
+    import->add_option("FILE", arguments.file, "The file of the data set (.h5)")
+        ->type_name("")
+        ->required();
+    import->add_option("--mesh-root", arguments.mesh_root, "The folder that has the meshes/")
+        ->type_name("DIR")
+        ->required();
+    import->add_option("--grasp", grasp, "Which grasp of the file, from 0")
+        ->type_name("N")
+        ->required();
+    import->add_option("-o,--out", out, "The grasp file to write, instead of printing it")
+        ->type_name("FILE");
   }
 
   void add_contacts() {
@@ -253,6 +282,7 @@ struct Parser {
                         : name == "curve"    ? Command::curve
                         : name == "verify"   ? Command::verify
                         : name == "view"     ? Command::view
+                        : name == "import"   ? Command::import
                                              : Command::paper;
     if (angle) arguments.angle_deg = read_angle(*angle);
     if (up) arguments.up = read_direction("--up", *up, 2, 3, "0.5,0.8 (in space 0.5,0,0.8)");
@@ -265,6 +295,10 @@ struct Parser {
     if (arguments.plot && arguments.plot->empty()) throw UsageError("--plot: '' is not a file");
     if (out && out->empty()) throw UsageError("--out: '' is not a file");
     arguments.out = out.value_or("");
+    if (arguments.command == Command::import && kind != "acronym")
+      throw UsageError("import: " + quoted(std::as_const(kind)) +
+                       " is no known data set, must be acronym");
+    if (grasp) arguments.grasp = read_grasp(*grasp);
     if (page && page->empty()) throw UsageError("--out: '' is not a file");
     arguments.page = page ? *page : page_of(arguments.file);
     PaperArguments& paper = arguments.paper;
@@ -291,8 +325,9 @@ struct Parser {
       throw UsageError("unknown option " + shown(word) + ", " + full_name(command) + " knows " +
                        options_of(command));
     if (before)
-      throw UsageError("unknown command " + quoted(word) +
-                       ", must be check, contacts, hold, best, curve, verify, view or paper");
+      throw UsageError(
+          "unknown command " + quoted(word) +
+          ", must be check, contacts, hold, best, curve, verify, view, import or paper");
     throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
                      (command.get_name() == "paper"    ? "no FILE"
                       : command.get_name() == "verify" ? "one FILE and one RESULT"

@@ -12,7 +12,7 @@
 
 namespace poise {
 
-enum class Command { check, contacts, hold, best, curve, verify, view, paper };
+enum class Command { check, contacts, hold, best, curve, verify, view, import, paper };
 
 /// What `paper` draws beside the paper's own figures; what is not given is that of Fig. 6.
 struct PaperArguments {
@@ -40,6 +40,8 @@ struct Arguments {
   std::optional<std::string> plot{};                ///< the SVG file to draw
   std::string page{};                               ///< the file to write the page to
   std::string out{};                                ///< the grasp file to write; "": print it
+  std::string mesh_root{};                          ///< of `import`: the folder that has the meshes
+  std::size_t grasp{0};                             ///< of `import`: which one of the file
   PaperArguments paper{};
 };
 

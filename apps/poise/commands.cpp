@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "data/acronym.hpp"
 #include "files/grasp_writer.hpp"
 #include "files/result.hpp"
 #include "files/spatial.hpp"
@@ -164,18 +165,40 @@ Answer answer_in(const SpatialFile& file, const Arguments& arguments) {
                                             : answer_best(arguments, file, grasps);
 }
 
-/// The contacts of a grasp file as a grasp file, printed or written.
-Answer answer_contacts(const Arguments& arguments, const GraspFile& any) {
-  std::string folder = ".";
-  if (!arguments.out.empty())
-    folder = std::filesystem::absolute(arguments.out).parent_path().string();
-  const std::string text =
-      std::holds_alternative<PlanarFile>(any)
-          ? grasp_document(std::get<PlanarFile>(any))
-          : grasp_document(std::get<SpatialFile>(any), Held::by_contacts, folder);
-  if (arguments.out.empty()) return {text};
-  write_file(text, arguments.out);
-  return {"Wrote " + arguments.out + "\n"};
+/// The folder that a grasp file is written to; what is printed is taken to go to the present one.
+std::string folder_of(const std::string& out) {
+  return out.empty() ? "." : std::filesystem::absolute(out).parent_path().string();
+}
+
+/// A grasp file, printed or written.
+Answer printed_or_written(const std::string& text, const std::string& out) {
+  if (out.empty()) return {text};
+  write_file(text, out);
+  return {"Wrote " + out + "\n"};
+}
+
+/// A grasp file with the contacts that its gripper makes.
+Answer answer_contacts(const Arguments& arguments, const PlanarFile& file) {
+  return printed_or_written(grasp_document(file), arguments.out);
+}
+Answer answer_contacts(const Arguments& arguments, const SpatialFile& file) {
+  return printed_or_written(grasp_document(file, Held::by_contacts, folder_of(arguments.out)),
+                            arguments.out);
+}
+
+Answer answer_import(const Arguments& arguments) {
+  const Acronym data(arguments.file, arguments.mesh_root);
+  if (arguments.grasp >= data.size())
+    throw UsageError("--grasp: is " + std::to_string(arguments.grasp) + ", " + arguments.file +
+                     " has " + std::to_string(data.size()) + " grasps, the first is 0");
+  try {
+    const SpatialFile file = data.grasp(arguments.grasp);
+    warn(file.warnings);
+    return printed_or_written(grasp_document(file, Held::by_gripper, folder_of(arguments.out)),
+                              arguments.out);
+  } catch (const MissedGrip& missed) {
+    throw FileError(arguments.file, {}, "grasp " + std::to_string(arguments.grasp), missed.what());
+  }
 }
 
 }  // namespace
@@ -183,6 +206,7 @@ Answer answer_contacts(const Arguments& arguments, const GraspFile& any) {
 Answer answer(const Arguments& arguments) {
   if (arguments.command == Command::paper)
     return {paper(arguments.paper, arguments.json, style_of_output())};
+  if (arguments.command == Command::import) return answer_import(arguments);
   const GraspFile any = read_grasp_file(arguments.file);
   if (arguments.command == Command::verify) {
     const Verdict checked = verdict(any, arguments.result, arguments.json, style_of_output());
@@ -191,7 +215,7 @@ Answer answer(const Arguments& arguments) {
   return std::visit(
       [&](const auto& file) {
         if (arguments.command != Command::check) warn(file.warnings);
-        if (arguments.command == Command::contacts) return answer_contacts(arguments, any);
+        if (arguments.command == Command::contacts) return answer_contacts(arguments, file);
         return answer_in(file, arguments);
       },
       any);

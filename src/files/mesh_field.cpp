@@ -25,37 +25,40 @@ double read_scale(const Field& field) {
 
 }  // namespace
 
+MeshShape mesh_shape(const std::string& file, double scale, std::vector<std::string>& notes) {
+  MendedMesh mended = poise::mended(read_mesh(file));
+  if (mended.mesh.triangles.empty() || !bounds(mended.mesh).diagonal().allFinite())
+    throw ReadError(mended.defect);
+  for (Vector<3>& vertex : mended.mesh.vertices) vertex *= scale;
+  if (const double size = bounds(mended.mesh).diagonal().norm() / 2; !std::isnormal(size * size))
+    throw ReadError("has a size of " + number_text(size, 3) + " m, too " +
+                    (size < 1 ? "small" : "large") + " to compute with");
+  notes = std::move(mended.repairs);
+  if (!mended.defect.empty())
+    notes.push_back(mended.defect +
+                    "; so it has neither volume nor inside, but a surface to touch");
+  return {std::make_shared<const Mesh>(std::move(mended.mesh)), std::move(mended.defect), file,
+          scale};
+}
+
 MeshShape read_mesh_shape(const Field& field, double unit, std::vector<std::string>& warnings) {
   Field file = field;
-  MeshShape shape{.scale = unit};
+  double scale = unit;
   if (!field.is_text()) {
     field.mapping({"file", "scale"});
     file = field.get("file", "a file");
-    if (const auto scale = field.find("scale")) shape.scale = read_scale(*scale);
+    if (const auto given = field.find("scale")) scale = read_scale(*given);
   }
-  shape.file = path_from(file);
-  MendedMesh mended;
   try {
-    mended = poise::mended(read_mesh(shape.file));
+    std::vector<std::string> notes;
+    MeshShape shape = mesh_shape(path_from(file), scale, notes);
+    for (const std::string& note : notes)
+      warnings.push_back(
+          located(file.file(), file.place(), file.path(), shown(file.text()) + " " + note));
+    return shape;
   } catch (const ReadError& error) {
     fail(file, error.what());
   }
-  if (mended.mesh.triangles.empty() || !bounds(mended.mesh).diagonal().allFinite())
-    fail(file, mended.defect);
-  for (Vector<3>& vertex : mended.mesh.vertices) vertex *= shape.scale;
-  if (const double size = bounds(mended.mesh).diagonal().norm() / 2; !std::isnormal(size * size))
-    fail(file, "has a size of " + number_text(size, 3) + " m, too " +
-                   (size < 1 ? "small" : "large") + " to compute with");
-  const auto warn = [&](const std::string& words) {
-    warnings.push_back(
-        located(file.file(), file.place(), file.path(), shown(file.text()) + " " + words));
-  };
-  for (const std::string& repair : mended.repairs) warn(repair);
-  if (!mended.defect.empty())
-    warn(mended.defect + "; so it has neither volume nor inside, but a surface to touch");
-  shape.mesh = std::make_shared<const Mesh>(std::move(mended.mesh));
-  shape.defect = std::move(mended.defect);
-  return shape;
 }
 
 Inertial read_inertial(const Field& field) {

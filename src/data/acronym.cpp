@@ -1,0 +1,80 @@
+#include "data/acronym.hpp"
+
+#include <filesystem>
+
+#include "files/mesh_field.hpp"
+
+namespace poise {
+namespace {
+
+AcronymData read(const std::string& file) {
+  AcronymData data;
+  try {
+    data = read_acronym(file);
+  } catch (const ReadError& error) {
+    throw FileError(file, {}, "", error.what());
+  }
+  if (data.gripper != "panda")
+    throw FileError(file, {}, "/gripper/type", "is " + data.gripper + ", must be panda");
+  return data;
+}
+
+Solid read_shape(const std::string& file, const AcronymData& data, const std::string& mesh_root,
+                 std::vector<std::string>& notes) {
+  const std::string mesh = (std::filesystem::path(mesh_root) / data.mesh).string();
+  try {
+    return mesh_shape(mesh, data.scale, notes);
+  } catch (const ReadError& error) {
+    throw FileError(file, {}, "/object/file", mesh + " " + error.what());
+  }
+}
+
+/// The Panda hand as the data set has it: it comes along +z of its base, its fingers close along x,
+/// from 41 mm to either side, and their pads reach from 66 to 112 mm along z.
+ParallelJaw panda() {
+  ParallelJaw jaw;
+  jaw.pose.position.z() = 0.089;
+  jaw.opening = 0.082;
+  jaw.width = 0.02;
+  jaw.height = 0.046;
+  jaw.samples = 24;    // 3 x 8 cells, almost squares
+  jaw.max_force = 70;  // what the hand can hold for long
+  return jaw;
+}
+
+}  // namespace
+
+Acronym::Acronym(const std::string& file, const std::string& mesh_root)
+    : file_(file),
+      data_(read(file)),
+      shape_(read_shape(file, data_, mesh_root, notes_)),
+      surface_(shape_) {}
+
+SpatialFile Acronym::grasp(std::size_t n) const {
+  const Eigen::Matrix4d& transform = data_.transforms.at(n);
+  const Eigen::Matrix3d turn = transform.topLeftCorner<3, 3>();
+  if (!(turn * turn.transpose()).isIdentity(1e-4) || turn.determinant() < 0 ||
+      (transform.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() > 1e-9)
+    throw FileError(file_, {}, "/grasps/transforms[" + std::to_string(n) + "]",
+                    "is no pose: not a turn and a step");
+  ParallelJaw jaw = panda();
+  jaw.pose.orientation = Eigen::Quaterniond(turn).normalized();
+  jaw.pose.position = transform.topRightCorner<3, 1>() + jaw.pose.orientation * jaw.pose.position;
+  jaw.friction = data_.friction;
+
+  SpatialFile result;
+  result.name = std::filesystem::path(file_).stem().string() + ", grasp " + std::to_string(n);
+  result.shape = shape_;
+  result.scenarios = {{.weight = data_.mass * standard_gravity, .com = data_.com}};
+  result.contacts = contacts(jaw, surface_);
+  result.gripper = jaw;
+  for (const std::string& note : notes_)
+    result.warnings.push_back(located(file_, {}, "/object/file", note));
+  if (!held(n))
+    result.warnings.push_back(
+        located(file_, {}, "/grasps/qualities/flex/object_in_gripper[" + std::to_string(n) + "]",
+                "is 0: in the simulation of the data set it did not hold the object"));
+  return result;
+}
+
+}  // namespace poise
