@@ -572,5 +572,45 @@ TEST_F(Space, AMeshThatCannotBeUsedIsBadInput) {
   EXPECT_EQ(run.err, "poise: jaws.yaml:5:54: object.shape.mesh: part.obj does not exist\n");
 }
 
+TEST_F(Space, ExamplesWithMeshesAnswerAsTheyAreSaidTo) {
+  struct Said {
+    std::string example, command, answer;  ///< the words in its comment, and where they come from
+    const char* part;
+  };
+  for (const auto& [name, command, words, part] :
+       {Said{"mug-parallel-jaw", "hold", "7.19 N", ""},
+        {"mug-parallel-jaw", "best", "3.37 N", "best"},
+        {"mug-parallel-jaw", "best", "3.40 N", "best_pinched"},
+        {"drill-three-fingers", "hold", "25.74 N", ""},
+        {"drill-three-fingers", "best", "10.67 N", "best"},
+        {"bracket-parallel-jaw", "hold", "4.47 N", ""},
+        {"bracket-parallel-jaw", "best", "3.40 N", "best"},
+        {"bracket-parallel-jaw", "best", "3.48 N", "best_pinched"}}) {
+    const std::string file = std::string(POISE_EXAMPLES) + "/" + name + ".yaml";
+    EXPECT_NE(contents(file).find(" " + words), std::string::npos) << name << " " << words;
+    const Outcome run = poise(command + " " + example(name) + " --json");
+    EXPECT_EQ(run.status, 0) << run.err;
+    const Json document = Json::parse(run.out), hold = *part ? document[part] : document;
+    // With several scenarios the table has the grip force of the one that presses hardest.
+    if (!hold.contains("scenario")) {
+      EXPECT_NEAR(hold["grip_force"], std::stod(words), 0.01) << name << " " << words;
+    } else {
+      const std::string table = poise(command + " " + example(name)).out;
+      const std::size_t line = table.find(*part ? "  best " : "grip force");
+      const std::string number = table.substr(table.find("grip force", line) + 11);
+      EXPECT_NEAR(std::stod(number), std::stod(words), 0.01) << name << " " << words;
+    }
+    write("result.json", run.out);
+    EXPECT_EQ(poise("verify " + example(name) + " result.json").status, 0) << name;
+  }
+  // The bracket's centre of mass, by its two legs: in neither of them.
+  const Vector<3> com =
+      vector(json("check " + example("bracket-parallel-jaw"))["scenarios"][0]["com"]);
+  const double foot = 0.1 * 0.012, wall = 0.012 * 0.068;
+  EXPECT_NEAR(com.x(), (foot * 0.05 + wall * 0.006) / (foot + wall), 1e-9);
+  EXPECT_NEAR(com.z(), (foot * 0.006 + wall * 0.046) / (foot + wall), 1e-9);
+  EXPECT_GT(std::min(com.x(), com.z()), 0.012);
+}
+
 }  // namespace
 }  // namespace poise
