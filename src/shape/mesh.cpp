@@ -115,7 +115,7 @@ Mesh welded(const Mesh& mesh, double tolerance) {
 Mesh without_doubles(Mesh mesh, bool cancel) {
   std::map<Triangle, std::array<int, 2>> seen;  // how often it faces either way
   const auto key = [](Triangle triangle) {
-    const auto least = std::min_element(triangle.begin(), triangle.end());
+    auto* const least = std::min_element(triangle.begin(), triangle.end());
     std::rotate(triangle.begin(), least, triangle.end());
     const bool turned = triangle[1] > triangle[2];
     if (turned) std::swap(triangle[1], triangle[2]);
@@ -206,7 +206,7 @@ Oriented oriented(Mesh mesh) {
                     " to one triangle only";
     return result;
   }
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  constexpr auto none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> patch(count, none);
   std::vector<bool> turned(count, false);
   std::size_t patches = 0;
@@ -311,7 +311,7 @@ void turn_parts(Oriented& oriented, std::vector<std::string>& repairs) {
                       " of it did not agree with the neighbours and " +
                       (oriented.turned == 1 ? "was" : "were") + " turned");
   if (inverted == oriented.parts)
-    repairs.push_back("was inside out, and was turned");
+    repairs.emplace_back("was inside out, and was turned");
   else if (inverted > 0)
     repairs.push_back(counted(inverted, "part") + " of it " + (inverted == 1 ? "was" : "were") +
                       " inside out, and turned");
