@@ -54,7 +54,7 @@ std::string text(const H5::H5File& file, const std::string& path) {
   if (set.getTypeClass() != H5T_STRING) throw ReadError("has no text in " + path);
   H5std_string value;
   set.read(value, set.getStrType());
-  return value.c_str();  // of fixed length it is padded with zeros
+  return value.substr(0, value.find('\0'));  // of fixed length it is padded with zeros
 }
 
 AcronymData read(const H5::H5File& file) {
