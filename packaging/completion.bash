@@ -25,6 +25,10 @@ _poise() {
       flags='-h --help --json --domain --force-cap --gap --max-holds --tilt-from --tilt-max
         --orientation'
       ;;
+    batch)
+      flags='-h --help -o --out --what --angle --up --domain --force-cap --gap --max-holds --resume
+        --strict'
+      ;;
     curve) flags='-h --help --json --domain --force-cap --plot' ;;
     contacts) flags='-h --help -o --out' ;;
     import) flags='-h --help --mesh-root --grasp -o --out' ;;
@@ -36,8 +40,19 @@ _poise() {
   case $before in
     --domain) mapfile -t COMPREPLY < <(compgen -W 'all pinched' -- "$word") ;;
     --plot) _poise_files svg ;;
-    -o) _poise_files 'html|yaml|yml|json' ;;
-    --out | --mesh-root)
+    --what) mapfile -t COMPREPLY < <(compgen -W 'best hold' -- "$word") ;;
+    -o | --out)
+      case $command in
+        batch) _poise_files jsonl ;;
+        view) _poise_files html ;;
+        contacts | import) _poise_files 'yaml|yml|json' ;;
+        *)
+          compopt -o filenames 2> /dev/null
+          mapfile -t COMPREPLY < <(compgen -d -- "$word")
+          ;;
+      esac
+      ;;
+    --mesh-root)
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$word")
       ;;
@@ -47,11 +62,13 @@ _poise() {
       if [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$flags" -- "$word")
       elif [[ -z $command ]]; then
-        mapfile -t COMPREPLY < <(compgen -W 'check contacts hold best curve verify view import paper' -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W 'check contacts hold best curve verify batch view import paper' -- "$word")
       elif [[ $command == import && $before == import ]]; then
         mapfile -t COMPREPLY < <(compgen -W acronym -- "$word")
       elif [[ $command == import ]]; then
         _poise_files h5
+      elif [[ $command == batch ]]; then
+        _poise_files 'jsonl|h5'
       elif [[ $command != paper ]]; then
         _poise_files 'yaml|yml|json'
       fi

@@ -104,7 +104,8 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
   } usages[] = {
       {"", "A subcommand is required"},
       {"hodl 4c.yaml",
-       "unknown command 'hodl', must be check, hold, best, curve, verify, view or paper"},
+       "unknown command 'hodl', must be check, contacts, hold, best, curve, verify, batch, view, "
+       "import or paper"},
       {"best", "FILE is required"},
       {"paper", "--out is required"},
       {"paper --out ''", "--out: '' is not a directory"},

@@ -148,7 +148,7 @@ struct Parser {
   Arguments arguments{};
   std::optional<std::string> angle{}, up{}, domain{}, force_cap{}, phi{}, mu1{}, mu2{}, weight{};
   std::optional<std::string> gap{}, max_holds{}, tilt_from{}, tilt_max{}, orientation{};
-  std::optional<std::string> page{}, out{}, grasp{};
+  std::optional<std::string> page{}, out{}, grasp{}, what{};
   std::string kind{};
 
   Parser() {
@@ -163,7 +163,7 @@ struct Parser {
     app.footer(
         "FILE is a grasp file (YAML or JSON), or - for standard input.\n"
         "Exit status: 0 it can be held, 1 it cannot be held, 2 bad input or usage;\n"
-        "of verify: 0 confirmed, 1 refuted, 2 bad input or usage.");
+        "of verify: 0 confirmed, 1 refuted; of batch: 0 all answered, 1 some grasps are bad.");
 
     add("check", "Say how a grasp file is understood, with warnings");
     CLI::App* const hold = add("hold", "The least contact forces in one posture");
@@ -176,17 +176,10 @@ struct Parser {
     hold->add_option("--up", up, "Posture: the direction against gravity")
         ->type_name("X,Y[,Z]")
         ->excludes(angle_option);
-    for (CLI::App* const command : {best, curve})
-      command->add_option("--domain", domain, "Postures to choose from: all, or those not cradled")
-          ->type_name("all|pinched");
-    for (CLI::App* const command : {hold, best, curve})
-      command
-          ->add_option("--force-cap", force_cap, "Greatest force norm of a hold, in weights (1e6)")
-          ->type_name("N");
-    best->add_option("--gap", gap, "Space: how far the effort may be above the proven bound (1e-6)")
-        ->type_name("PART");
-    best->add_option("--max-holds", max_holds, "Space: holds to spend on the proof (2000)")
-        ->type_name("N");
+    add_force_cap(hold);
+    add_best_options(best);
+    add_domain(curve);
+    add_force_cap(curve);
     best->add_option("--tilt-from", tilt_from, "Space: choose from postures near this one")
         ->type_name("X,Y,Z");
     best->add_option("--tilt-max", tilt_max, "Space: at most so far from it, 0 to 90")
@@ -202,6 +195,7 @@ struct Parser {
         ->type_name("")
         ->required();
     add_contacts();
+    add_batch();
     add_view();
     add_import();
     add_paper();
@@ -233,6 +227,52 @@ struct Parser {
     contacts->add_option("FILE", arguments.file, "The grasp file")->type_name("")->required();
     contacts->add_option("-o,--out", out, "The grasp file to write, instead of printing it")
         ->type_name("FILE");
+  }
+
+  void add_batch() {
+    CLI::App* const batch =
+        app.add_subcommand("batch", "Many grasps, a line of JSON for each")->group("Commands");
+    batch
+        ->add_option("INPUT", arguments.batch.inputs,
+                     "JSON Lines, a grasp in each (- for standard input), or a folder of grasp "
+                     "files")
+        ->type_name("")
+        ->required();
+    batch->add_option("-o,--out", out, "The file to write (standard output)")
+        ->type_name("JSONL");
+    batch->add_option("--what", what, "The best posture (best), or the forces in one")
+        ->type_name("best|hold");
+    auto* const angle_option =
+        batch->add_option("--angle", angle, "Posture of hold: the object turned counter-clockwise")
+            ->type_name("DEG");
+    batch->add_option("--up", up, "Posture of hold: the direction against gravity")
+        ->type_name("X,Y[,Z]")
+        ->excludes(angle_option);
+    batch->add_flag("--resume", arguments.batch.resume, "Go on where a run was ended")
+        ->disable_flag_override();
+    batch->add_flag("--strict", arguments.batch.strict, "Stop at a bad grasp")
+        ->disable_flag_override();
+    add_best_options(batch);
+  }
+
+  void add_domain(CLI::App* command) {
+    command->add_option("--domain", domain, "Postures to choose from: all, or those not cradled")
+        ->type_name("all|pinched");
+  }
+
+  void add_best_options(CLI::App* command) {
+    add_domain(command);
+    add_force_cap(command);
+    command
+        ->add_option("--gap", gap, "Space: how far the effort may be above the proven bound (1e-6)")
+        ->type_name("PART");
+    command->add_option("--max-holds", max_holds, "Space: holds to spend on the proof (2000)")
+        ->type_name("N");
+  }
+
+  void add_force_cap(CLI::App* command) {
+    command->add_option("--force-cap", force_cap, "Greatest force norm of a hold, in weights (1e6)")
+        ->type_name("N");
   }
 
   void add_view() {
@@ -281,6 +321,7 @@ struct Parser {
                         : name == "best"     ? Command::best
                         : name == "curve"    ? Command::curve
                         : name == "verify"   ? Command::verify
+                        : name == "batch"    ? Command::batch
                         : name == "view"     ? Command::view
                         : name == "import"   ? Command::import
                                              : Command::paper;
@@ -300,6 +341,7 @@ struct Parser {
                        " is no known data set, must be acronym");
     if (grasp) arguments.grasp = read_grasp(*grasp);
     if (page && page->empty()) throw UsageError("--out: '' is not a file");
+    if (arguments.command == Command::batch) read_batch();
     arguments.page = page ? *page : page_of(arguments.file);
     PaperArguments& paper = arguments.paper;
     if (arguments.command == Command::paper && paper.out.empty())
@@ -309,6 +351,21 @@ struct Parser {
     if (mu2) paper.mu2 = read_number("--mu2", *mu2, false, 1e6);
     if (weight) paper.weight = read_number("--weight", *weight, true, 1e6);
     if (force_cap) arguments.force_cap = read_force_cap(*force_cap);
+  }
+
+  void read_batch() {
+    BatchArguments& batch = arguments.batch;
+    if (what && *what != "best" && *what != "hold")
+      throw UsageError("--what: " + poise::quoted(*what) + " must be best or hold");
+    batch.hold = what == "hold";
+    for (const auto& [given, flag, of_hold] : {std::tuple(!!angle, "--angle", true),
+                                               {!!up, "--up", true},
+                                               {!!domain, "--domain", false},
+                                               {!!gap, "--gap", false},
+                                               {!!max_holds, "--max-holds", false}})
+      if (given && of_hold != batch.hold)
+        throw UsageError(std::string(flag) + ": is for --what " + (of_hold ? "hold" : "best"));
+    if (batch.resume && !out) throw UsageError("--resume: needs --out");
   }
 
   /// What to say about words that nothing was waiting for.
@@ -327,7 +384,7 @@ struct Parser {
     if (before)
       throw UsageError(
           "unknown command " + quoted(word) +
-          ", must be check, contacts, hold, best, curve, verify, view, import or paper");
+          ", must be check, contacts, hold, best, curve, verify, batch, view, import or paper");
     throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
                      (command.get_name() == "paper"    ? "no FILE"
                       : command.get_name() == "verify" ? "one FILE and one RESULT"

@@ -15,6 +15,8 @@ py::object write(const Cylinder& cylinder) {
 py::object write(const Sphere& sphere) { return type("Sphere")(sphere.radius); }
 py::object write(const Ellipsoid& ellipsoid) { return type("Ellipsoid")(ellipsoid.radii); }
 
+py::object write(const MeshShape& mesh) { return type("MeshShape")(mesh.file, mesh.scale); }
+
 template <int Dim>
 py::object write(const CommonFile<Dim>& file, const py::object& object) {
   using namespace py::literals;  // NOLINT(google-build-using-namespace): _a

@@ -528,6 +528,32 @@ class Curves(unittest.TestCase):
                 self.assertGreater(file.stat().st_size, 5000)
 
 
+class Records(unittest.TestCase):
+    def test_they_are_those_of_the_program(self):
+        rng = np.random.default_rng(19)
+        grasps = [random_grasp(rng, 3), random_spatial_grasp(rng, 3), disk(0, 0), disk()]
+        values = [poise.to_dict(grasp) for grasp in grasps]
+        values[3]["object"]["weight"] = -1
+        texts = [json.dumps(each) for each in values] + ["", "{"]
+        for flags, options in [
+            ([], {}),
+            (["--gap", "1e-2", "--max-holds", "20"], {"gap": 1e-2, "max_holds": 20}),
+            (["--domain", "pinched"], {"domain": poise.Domain.pinched}),
+            (["--what", "hold", "--up", "1,-2,0.5"], {"hold": True, "up": [1, -2, 0.5]}),
+            (["--what", "hold", "--angle", "20"], {"hold": True, "angle_deg": 20}),
+        ]:
+            run = subprocess.run(
+                [PROGRAM, "batch", "-", *flags],
+                input="\n".join(texts).encode(),
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+            )
+            own = [poise.answer_record(text, k, **options) for k, text in enumerate(texts)]
+            self.assertEqual("".join(own), run.stdout.decode())
+        with self.assertRaises(poise.InvalidGrasp):
+            poise.answer_record(texts[0], 0, hold=True, up=[0, 0])
+
+
 def rotate(q, v):
     """The vector v turned by the quaternion w, x, y, z."""
     w, axis = q[0], q[1:]

@@ -20,6 +20,7 @@ from ._types import (
     Domain,
     Ellipse,
     Ellipsoid,
+    MeshShape,
     Object,
     Polygon,
     Shape,
@@ -128,6 +129,8 @@ def _shape(shape: Shape) -> Dict[str, Any]:
         return {"box": {"size": shape.size.tolist()}}
     if isinstance(shape, Cylinder):
         return {"cylinder": {"radius": shape.radius, "height": shape.height}}
+    if isinstance(shape, MeshShape):
+        return {"mesh": {"file": shape.file, "scale": shape.scale}}
     if isinstance(shape, (Ellipse, Ellipsoid)):
         return {type(shape).__name__.lower(): {"radii": shape.radii.tolist()}}
     return {type(shape).__name__.lower(): {"radius": shape.radius}}

@@ -210,7 +210,15 @@ class Ellipsoid:
         return f"Ellipsoid(radii={self.radii.tolist()})"
 
 
-Shape = Union[Disk, Ellipse, Polygon, Box, Cylinder, Sphere, Ellipsoid]
+@dataclass
+class MeshShape:
+    """A body bounded by a mesh that is read from a file."""
+
+    file: str
+    scale: float = 1.0  #: metres for one of its units
+
+
+Shape = Union[Disk, Ellipse, Polygon, Box, Cylinder, Sphere, Ellipsoid, MeshShape]
 
 
 class Tilt:
