@@ -26,7 +26,7 @@ _poise() {
         --orientation'
       ;;
     batch)
-      flags='-h --help -o --out --what --angle --up --domain --force-cap --gap --max-holds --resume
+      flags='-h --help -o --out --mesh-root --hdf5 --what --angle --up --domain --force-cap --gap --max-holds --resume
         --strict'
       ;;
     curve) flags='-h --help --json --domain --force-cap --plot' ;;
@@ -52,6 +52,7 @@ _poise() {
           ;;
       esac
       ;;
+    --hdf5) _poise_files h5 ;;
     --mesh-root)
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$word")

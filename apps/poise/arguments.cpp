@@ -148,7 +148,7 @@ struct Parser {
   Arguments arguments{};
   std::optional<std::string> angle{}, up{}, domain{}, force_cap{}, phi{}, mu1{}, mu2{}, weight{};
   std::optional<std::string> gap{}, max_holds{}, tilt_from{}, tilt_max{}, orientation{};
-  std::optional<std::string> page{}, out{}, grasp{}, what{};
+  std::optional<std::string> page{}, out{}, grasp{}, what{}, hdf5{};
   std::string kind{};
 
   Parser() {
@@ -234,12 +234,15 @@ struct Parser {
         app.add_subcommand("batch", "Many grasps, a line of JSON for each")->group("Commands");
     batch
         ->add_option("INPUT", arguments.batch.inputs,
-                     "JSON Lines, a grasp in each (- for standard input), or a folder of grasp "
-                     "files")
+                     "JSON Lines, a grasp in each (- for standard input); a folder of grasp "
+                     "files; or a file of the ACRONYM data set (.h5)")
         ->type_name("")
         ->required();
-    batch->add_option("-o,--out", out, "The file to write (standard output)")
-        ->type_name("JSONL");
+    batch->add_option("-o,--out", out, "The file to write (standard output)")->type_name("JSONL");
+    batch->add_option("--mesh-root", arguments.mesh_root, "ACRONYM: the folder with its meshes/")
+        ->type_name("DIR");
+    batch->add_option("--hdf5", hdf5, "ACRONYM: also write arrays that go with /grasps/transforms")
+        ->type_name("H5");
     batch->add_option("--what", what, "The best posture (best), or the forces in one")
         ->type_name("best|hold");
     auto* const angle_option =
@@ -365,6 +368,17 @@ struct Parser {
                                                {!!max_holds, "--max-holds", false}})
       if (given && of_hold != batch.hold)
         throw UsageError(std::string(flag) + ": is for --what " + (of_hold ? "hold" : "best"));
+    for (const std::string& input : batch.inputs) {
+      const bool acronym = input.ends_with(".h5");
+      if (acronym && arguments.mesh_root.empty())
+        throw UsageError(shown(input) + ": needs --mesh-root, the folder with its meshes/");
+      if (hdf5 && !acronym)
+        throw UsageError("--hdf5: is for the ACRONYM data set, " + shown(input) +
+                         " is not a file of it (.h5)");
+    }
+    if (hdf5 && (hdf5->empty() || !out))
+      throw UsageError(hdf5->empty() ? "--hdf5: '' is not a file" : "--hdf5: needs --out");
+    batch.hdf5 = hdf5.value_or("");
     if (batch.resume && !out) throw UsageError("--resume: needs --out");
   }
 

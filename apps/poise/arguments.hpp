@@ -24,7 +24,8 @@ struct PaperArguments {
 
 struct BatchArguments {
   std::vector<std::string> inputs{};
-  bool hold{false};   ///< one posture instead of the best
+  std::string hdf5{};  ///< the file of arrays to write, or ""
+  bool hold{false};    ///< one posture instead of the best
   bool resume{false}, strict{false};
 };
 

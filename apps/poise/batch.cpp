@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "batch/batch.hpp"
+#include "batch/hdf5.hpp"
 
 namespace poise {
 namespace {
@@ -91,7 +92,7 @@ Answer batch(const Arguments& arguments) {
                           .force_cap = arguments.force_cap,
                           .gap = arguments.gap,
                           .max_holds = arguments.max_holds};
-  const std::unique_ptr<Inputs> inputs = open_inputs(arguments.batch.inputs);
+  const std::unique_ptr<Inputs> inputs = open_inputs(arguments.batch.inputs, arguments.mesh_root);
   const std::string& path = arguments.out;
   Counts counts;
   Output output(path, described(question, *inputs), arguments.batch.resume,
@@ -122,6 +123,7 @@ Answer batch(const Arguments& arguments) {
     throw;
   }
   progress.end();
+  if (!arguments.batch.hdf5.empty()) write_hdf5(path + ".part", arguments.batch.hdf5);
   output.finish();
   std::fputs(fmt::format("{} records: {} answered, {} unholdable, {} bad\n", counts.all(),
                          counts.answered, counts.unholdable, counts.bad)

@@ -33,7 +33,7 @@ void answer_all(Inputs& inputs, const Question& question, Output& output, Counts
     progress(counts);
   };
   // So many under way that a slow one does not hold up the others.
-  const auto most = 32 * static_cast<std::size_t>(tbb::info::default_concurrency());
+  const auto most = 256 * static_cast<std::size_t>(tbb::info::default_concurrency());
   using Unreads = std::optional<Unread>;
   tbb::parallel_pipeline(
       most, tbb::make_filter<void, Unreads>(tbb::filter_mode::serial_in_order, read) &

@@ -95,6 +95,52 @@ class Folder : public Inputs {
   std::size_t records_{0};
 };
 
+/// A file of the ACRONYM data set, open from its first grasp to its last. One that cannot be read
+/// is a single bad record.
+class AcronymFile : public Inputs {
+ public:
+  AcronymFile(std::string path, std::string mesh_root)
+      : path_(std::move(path)), mesh_root_(std::move(mesh_root)) {
+    std::error_code error;
+    fs::file_size(path_, error);
+    if (error) throw FileError(path_, {}, "", "cannot be read: " + error.message());
+  }
+
+  std::optional<Unread> next() override {
+    if (ended_) return {};
+    try {
+      if (!data_) data_ = std::make_shared<const Acronym>(path_, mesh_root_);
+    } catch (const FileError& error) {
+      ended_ = true;
+      RecordKey key = key_of_acronym(path_, 0);
+      key.grasp.reset();
+      return Unread{std::move(key), [error]() -> GraspFile { throw error; }};
+    }
+    if (grasps_ < data_->size()) {
+      const std::size_t n = grasps_++;
+      return Unread{key_of_acronym(path_, n),
+                    [data = data_, n] { return grasp_of_acronym(*data, n); }};
+    }
+    data_.reset();
+    ended_ = true;
+    return {};
+  }
+  double part() const override {
+    return data_ ? static_cast<double>(grasps_) / static_cast<double>(data_->size()) : ended_;
+  }
+  Json identity() const override {
+    Json result = state_of(path_);
+    result["mesh_root"] = mesh_root_;
+    return result;
+  }
+
+ private:
+  std::string path_, mesh_root_;
+  std::shared_ptr<const Acronym> data_;
+  std::size_t grasps_{0};
+  bool ended_{false};
+};
+
 class Several : public Inputs {
  public:
   void add(std::unique_ptr<Inputs> inputs) { list_.push_back(std::move(inputs)); }
@@ -120,16 +166,18 @@ class Several : public Inputs {
   std::size_t at_{0};
 };
 
-std::unique_ptr<Inputs> open_input(const std::string& path) {
+std::unique_ptr<Inputs> open_input(const std::string& path, const std::string& mesh_root) {
+  if (path.ends_with(".h5")) return std::make_unique<AcronymFile>(path, mesh_root);
   if (path != "-" && fs::is_directory(path)) return std::make_unique<Folder>(path);
   return std::make_unique<JsonLines>(path);
 }
 
 }  // namespace
 
-std::unique_ptr<Inputs> open_inputs(const std::vector<std::string>& paths) {
+std::unique_ptr<Inputs> open_inputs(const std::vector<std::string>& paths,
+                                    const std::string& mesh_root) {
   auto all = std::make_unique<Several>();
-  for (const std::string& path : paths) all->add(open_input(path));
+  for (const std::string& path : paths) all->add(open_input(path, mesh_root));
   return all;
 }
 

@@ -1,4 +1,4 @@
-// Many grasps, one after the other: JSON Lines, or a folder of grasp files.
+// Many grasps, one after the other: JSON Lines, a folder of grasp files, or the ACRONYM data set.
 #pragma once
 
 #include <functional>
@@ -31,8 +31,11 @@ class Inputs {
 
 /// One after the other.
 /// @param paths  each a file of JSON Lines, "-" for standard input, or a folder, of whose files
-///               those that end in .yaml, .yml and .json are taken in the order of their names
+///               those that end in .yaml, .yml and .json are taken in the order of their names, or
+///               a file of the ACRONYM data set, which ends in .h5
+/// @param mesh_root  the folder that has the meshes/ of the data set
 /// @throws FileError for what cannot be opened, and for a folder without grasp files
-std::unique_ptr<Inputs> open_inputs(const std::vector<std::string>& paths);
+std::unique_ptr<Inputs> open_inputs(const std::vector<std::string>& paths,
+                                    const std::string& mesh_root);
 
 }  // namespace poise

@@ -1,5 +1,6 @@
 #include "batch/record.hpp"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "files/result.hpp"
@@ -99,6 +100,18 @@ Record answer_record(const RecordKey& key, const std::function<GraspFile()>& rea
 GraspFile grasp_of_line(const std::string& line) {
   if (line.size() > longest_line) throw FileError("", {}, "", "is longer than 1 MiB");
   return grasp_from_json(line, "");
+}
+
+GraspFile grasp_of_acronym(const Acronym& data, std::size_t n) {
+  try {
+    return data.grasp(n);
+  } catch (const MissedGrip& missed) {
+    throw FileError("", {}, "gripper", missed.what());
+  }
+}
+
+RecordKey key_of_acronym(const std::string& file, std::size_t n) {
+  return {.file = std::filesystem::path(file).filename().string(), .grasp = n};
 }
 
 std::optional<Outcome> outcome_of(const std::string& line) {

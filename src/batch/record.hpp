@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "data/acronym.hpp"
 #include "files/grasp_file.hpp"
 
 namespace poise {
@@ -49,6 +50,11 @@ Record answer_record(const RecordKey& key, const std::function<GraspFile()>& rea
 /// @throws FileError
 GraspFile grasp_of_line(const std::string& line);
 inline constexpr std::size_t longest_line = 1 << 20;  ///< as for a grasp file
+
+/// A grasp of the ACRONYM data set, and its key without a number.
+/// @throws FileError also where the hand misses the object
+GraspFile grasp_of_acronym(const Acronym& data, std::size_t n);
+RecordKey key_of_acronym(const std::string& file, std::size_t n);
 
 /// The outcome that a record tells, or none if the line is no record.
 std::optional<Outcome> outcome_of(const std::string& line);

@@ -5,6 +5,7 @@ All values are in SI units and in the object frame.
 """
 
 from ._core import (
+    Acronym,
     Arc,
     ArcState,
     BestPosture,
@@ -71,6 +72,7 @@ from ._types import (
 )
 
 __all__ = [
+    "Acronym",
     "Arc",
     "ArcState",
     "BestPosture",

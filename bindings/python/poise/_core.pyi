@@ -104,6 +104,23 @@ def all_loaded(grasp: Grasp, hold: Hold) -> bool: ...
 def manner(grasp: Grasp, up: ArrayLike, hold: Hold) -> Manner: ...
 def reason(grasp: Grasp, hold: Hold) -> str: ...
 
+class Acronym:
+    def __init__(self, file: str, mesh_root: str) -> None: ...
+    def __len__(self) -> int: ...
+    def answer_record(
+        self,
+        grasp: int,
+        record: int,
+        *,
+        hold: bool = ...,
+        angle_deg: Optional[float] = ...,
+        up: Sequence[float] = ...,
+        domain: Optional[Domain] = ...,
+        force_cap: float = ...,
+        gap: Optional[float] = ...,
+        max_holds: Optional[int] = ...,
+    ) -> str: ...
+
 class Interval:
     @property
     def from_(self) -> float: ...

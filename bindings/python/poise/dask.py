@@ -28,6 +28,17 @@ class Partition:
     first: int  #: number of its first record
 
 
+@dataclass(frozen=True)
+class AcronymPartition:
+    """Grasps of a file of the ACRONYM data set, which every worker must be able to read."""
+
+    file: str
+    mesh_root: str  #: the folder that has its meshes/
+    begin: int  #: its first grasp
+    end: int  #: the grasp after its last
+    first: int  #: number of its first record
+
+
 def partitions(file: Path, records: int = 1000) -> List[Partition]:
     """Cuts a file of JSON Lines, a grasp in each, into partitions of so many records."""
     found: List[Partition] = []
@@ -45,8 +56,32 @@ def partitions(file: Path, records: int = 1000) -> List[Partition]:
     return found
 
 
-def answer(partition: Partition, **question: Any) -> bytes:
+def acronym_partitions(
+    files: Sequence[Path], mesh_root: Path, grasps: int = 250
+) -> List[AcronymPartition]:
+    """Cuts files of the ACRONYM data set into partitions of at most so many grasps each."""
+    found: List[AcronymPartition] = []
+    first = 0
+    root = os.path.abspath(mesh_root)
+    for name in map(os.path.abspath, files):
+        size = len(_core.Acronym(name, root))
+        for begin in range(0, size, grasps):
+            end = min(begin + grasps, size)
+            found.append(AcronymPartition(name, root, begin, end, first + begin))
+        first += size
+    return found
+
+
+def answer(partition: Union[Partition, AcronymPartition], **question: Any) -> bytes:
     """The lines that poise batch writes for a partition; question: see poise.answer_record."""
+    if isinstance(partition, AcronymPartition):
+        data = _core.Acronym(partition.file, partition.mesh_root)
+        return b"".join(
+            data.answer_record(
+                n, partition.first + n - partition.begin, **question
+            ).encode()
+            for n in range(partition.begin, partition.end)
+        )
     with open(partition.file, "rb") as stream:
         stream.seek(partition.offset)
         text = stream.read(partition.size)
@@ -56,7 +91,9 @@ def answer(partition: Partition, **question: Any) -> bytes:
     )
 
 
-def batch(client: Client, parts: Sequence[Partition], **question: Any) -> List[Future]:
+def batch(
+    client: Client, parts: Sequence[Union[Partition, AcronymPartition]], **question: Any
+) -> List[Future]:
     """The answers to partitions, in their order, as futures of their lines."""
     futures: List[Future] = client.map(answer, parts, pure=False, **question)
     return futures
