@@ -19,6 +19,7 @@ except ImportError:
     distributed = None
 
 PROGRAM = os.environ["POISE_PROGRAM"]
+ACRONYM = Path(os.environ.get("POISE_DATA", "/nowhere"), "acronym")
 
 
 def grasps(count):
@@ -79,6 +80,19 @@ class Cluster(unittest.TestCase):
             dask.write(futures, out)
         self.assertEqual(out.read_bytes(), self.expected())
         self.assertFalse(Path(f"{out}.part").exists())
+
+    @unittest.skipUnless(ACRONYM.is_dir(), "POISE_DATA has no acronym")
+    def test_acronym(self):
+        from poise import dask
+
+        files = sorted((ACRONYM / "grasps").glob("*.h5"))
+        options = ["--mesh-root", ACRONYM, "--what", "hold", "--up", "0,0,1"]
+        run = subprocess.run(
+            [PROGRAM, "batch", *files, *options], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+        )
+        parts = dask.acronym_partitions(files, ACRONYM, 700)
+        own = b"".join(dask.answer(part, hold=True, up=[0, 0, 1]) for part in parts)
+        self.assertEqual(own, run.stdout)
 
     def test_partitions_of_strange_files(self):
         from poise import dask
