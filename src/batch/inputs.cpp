@@ -102,7 +102,7 @@ class AcronymFile : public Inputs {
   AcronymFile(std::string path, std::string mesh_root)
       : path_(std::move(path)), mesh_root_(std::move(mesh_root)) {
     std::error_code error;
-    fs::file_size(path_, error);
+    static_cast<void>(fs::file_size(path_, error));
     if (error) throw FileError(path_, {}, "", "cannot be read: " + error.message());
   }
 
