@@ -149,7 +149,7 @@ TEST_F(BatchOfAcronym, ResumedItIsTheSame) {
   for (const char* name : {"out.jsonl", "out.h5"}) resumed.replace(resumed.find(name), 3, "again");
   EXPECT_EQ(poise(resumed).status, 1);
   EXPECT_EQ(contents(folder() / "again.jsonl"), expected);
-  EXPECT_EQ(contents(folder() / "again.h5"), contents(folder() / "out.h5"));
+  EXPECT_TRUE(contents(folder() / "again.h5") == contents(folder() / "out.h5"));
 }
 
 TEST_F(BatchOfAcronym, WhatIsWrongIsSaid) {

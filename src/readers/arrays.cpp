@@ -12,7 +12,9 @@ void add(const H5::Group& group, const NamedArray& array) {
   const hsize_t size[] = {array.values.size() / array.width, array.width};
   const H5::DataSpace space(array.width > 1 ? 2 : 1, size);
   const H5::DataType type = array.whole ? H5::PredType::STD_I8LE : H5::PredType::IEEE_F64LE;
-  const H5::DataSet set = group.createDataSet(array.name, type, space);
+  const H5::DSetCreatPropList timeless;  // the same numbers make the same file
+  H5Pset_obj_track_times(timeless.getId(), false);
+  const H5::DataSet set = group.createDataSet(array.name, type, space, timeless);
   set.write(array.values.data(), H5::PredType::NATIVE_DOUBLE);
   for (const auto& [name, text] : array.attributes) {
     const H5::StrType string(H5::PredType::C_S1, std::max<std::size_t>(text.size(), 1));
