@@ -27,6 +27,10 @@ _poise() {
       ;;
     capacity) flags='-h --help --json --angle --up --safety --force-cap' ;;
     draw) flags='-h --help -o --out --angle --up --force-cap' ;;
+    batch)
+      flags='-h --help -o --out --mesh-root --hdf5 --what --angle --up --domain --force-cap --gap --max-holds --resume
+        --strict'
+      ;;
     curve) flags='-h --help --json --domain --force-cap --plot' ;;
     contacts) flags='-h --help -o --out' ;;
     import) flags='-h --help --mesh-root --grasp -o --out' ;;
@@ -38,8 +42,21 @@ _poise() {
   case $before in
     --domain) mapfile -t COMPREPLY < <(compgen -W 'all pinched' -- "$word") ;;
     --plot) _poise_files svg ;;
-    -o) _poise_files 'html|svg|png|yaml|yml|json' ;;
-    --out | --mesh-root)
+    --what) mapfile -t COMPREPLY < <(compgen -W 'best hold' -- "$word") ;;
+    -o | --out)
+      case $command in
+        batch) _poise_files jsonl ;;
+        view) _poise_files html ;;
+        draw) _poise_files 'svg|png' ;;
+        contacts | import) _poise_files 'yaml|yml|json' ;;
+        *)
+          compopt -o filenames 2> /dev/null
+          mapfile -t COMPREPLY < <(compgen -d -- "$word")
+          ;;
+      esac
+      ;;
+    --hdf5) _poise_files h5 ;;
+    --mesh-root)
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$word")
       ;;
@@ -49,11 +66,13 @@ _poise() {
       if [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$flags" -- "$word")
       elif [[ -z $command ]]; then
-        mapfile -t COMPREPLY < <(compgen -W 'check contacts hold best curve capacity draw verify view import paper' -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W 'check contacts hold best curve capacity draw verify batch view import paper' -- "$word")
       elif [[ $command == import && $before == import ]]; then
         mapfile -t COMPREPLY < <(compgen -W acronym -- "$word")
       elif [[ $command == import ]]; then
         _poise_files h5
+      elif [[ $command == batch ]]; then
+        _poise_files 'jsonl|h5'
       elif [[ $command != paper ]]; then
         _poise_files 'yaml|yml|json'
       fi

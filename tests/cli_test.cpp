@@ -105,8 +105,7 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
       {"", "A subcommand is required"},
       {"hodl 4c.yaml",
        "unknown command 'hodl', must be check, contacts, hold, best, curve, capacity, draw, "
-       "verify, "
-       "view, import or paper"},
+       "verify, batch, view, import or paper"},
       {"best", "FILE is required"},
       {"paper", "--out is required"},
       {"paper --out ''", "--out: '' is not a directory"},

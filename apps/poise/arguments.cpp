@@ -157,7 +157,7 @@ struct Parser {
   std::optional<std::string> angle{}, up{}, domain{}, force_cap{}, safety{}, phi{}, mu1{}, mu2{},
       weight{};
   std::optional<std::string> gap{}, max_holds{}, tilt_from{}, tilt_max{}, orientation{};
-  std::optional<std::string> page{}, out{}, grasp{};
+  std::optional<std::string> page{}, out{}, grasp{}, what{}, hdf5{};
   std::string kind{};
 
   Parser() {
@@ -172,7 +172,7 @@ struct Parser {
     app.footer(
         "FILE is a grasp file (YAML or JSON), or - for standard input.\n"
         "Exit status: 0 it can be held, 1 it cannot be held, 2 bad input or usage;\n"
-        "of verify: 0 confirmed, 1 refuted, 2 bad input or usage.");
+        "of verify: 0 confirmed, 1 refuted; of batch: 0 all answered, 1 some grasps are bad.");
 
     add("check", "Say how a grasp file is understood, with warnings");
     CLI::App* const hold = add("hold", "The least contact forces in one posture");
@@ -194,23 +194,16 @@ struct Parser {
       command->add_option("--up", up, "Posture: the direction against gravity")
           ->type_name("X,Y[,Z]")
           ->excludes(angle_option);
+      add_force_cap(command);
     }
     capacity
         ->add_option("--safety", safety,
                      "Divide the friction by this, on top of the file's safety, to find the force "
                      "to command (1.5)")
         ->type_name("S");
-    for (CLI::App* const command : {best, curve})
-      command->add_option("--domain", domain, "Postures to choose from: all, or those not cradled")
-          ->type_name("all|pinched");
-    for (CLI::App* const command : {hold, best, curve, capacity, draw})
-      command
-          ->add_option("--force-cap", force_cap, "Greatest force norm of a hold, in weights (1e6)")
-          ->type_name("N");
-    best->add_option("--gap", gap, "Space: how far the effort may be above the proven bound (1e-6)")
-        ->type_name("PART");
-    best->add_option("--max-holds", max_holds, "Space: holds to spend on the proof (2000)")
-        ->type_name("N");
+    add_best_options(best);
+    add_domain(curve);
+    add_force_cap(curve);
     best->add_option("--tilt-from", tilt_from, "Space: choose from postures near this one")
         ->type_name("X,Y,Z");
     best->add_option("--tilt-max", tilt_max, "Space: at most so far from it, 0 to 90")
@@ -226,6 +219,7 @@ struct Parser {
         ->type_name("")
         ->required();
     add_contacts();
+    add_batch();
     add_view();
     add_import();
     add_paper();
@@ -257,6 +251,55 @@ struct Parser {
     contacts->add_option("FILE", arguments.file, "The grasp file")->type_name("")->required();
     contacts->add_option("-o,--out", out, "The grasp file to write, instead of printing it")
         ->type_name("FILE");
+  }
+
+  void add_batch() {
+    CLI::App* const batch =
+        app.add_subcommand("batch", "Many grasps, a line of JSON for each")->group("Commands");
+    batch
+        ->add_option("INPUT", arguments.batch.inputs,
+                     "JSON Lines, a grasp in each (- for standard input); a folder of grasp "
+                     "files; or a file of the ACRONYM data set (.h5)")
+        ->type_name("")
+        ->required();
+    batch->add_option("-o,--out", out, "The file to write (standard output)")->type_name("JSONL");
+    batch->add_option("--mesh-root", arguments.mesh_root, "ACRONYM: the folder with its meshes/")
+        ->type_name("DIR");
+    batch->add_option("--hdf5", hdf5, "ACRONYM: also write arrays that go with /grasps/transforms")
+        ->type_name("H5");
+    batch->add_option("--what", what, "The best posture (best), or the forces in one")
+        ->type_name("best|hold");
+    auto* const angle_option =
+        batch->add_option("--angle", angle, "Posture of hold: the object turned counter-clockwise")
+            ->type_name("DEG");
+    batch->add_option("--up", up, "Posture of hold: the direction against gravity")
+        ->type_name("X,Y[,Z]")
+        ->excludes(angle_option);
+    batch->add_flag("--resume", arguments.batch.resume, "Go on where a run was ended")
+        ->disable_flag_override();
+    batch->add_flag("--strict", arguments.batch.strict, "Stop at a bad grasp")
+        ->disable_flag_override();
+    add_best_options(batch);
+  }
+
+  void add_domain(CLI::App* command) {
+    command->add_option("--domain", domain, "Postures to choose from: all, or those not cradled")
+        ->type_name("all|pinched");
+  }
+
+  void add_best_options(CLI::App* command) {
+    add_domain(command);
+    add_force_cap(command);
+    command
+        ->add_option("--gap", gap, "Space: how far the effort may be above the proven bound (1e-6)")
+        ->type_name("PART");
+    command->add_option("--max-holds", max_holds, "Space: holds to spend on the proof (2000)")
+        ->type_name("N");
+  }
+
+  void add_force_cap(CLI::App* command) {
+    command->add_option("--force-cap", force_cap, "Greatest force norm of a hold, in weights (1e6)")
+        ->type_name("N");
   }
 
   void add_view() {
@@ -307,6 +350,7 @@ struct Parser {
                         : name == "capacity" ? Command::capacity
                         : name == "draw"     ? Command::draw
                         : name == "verify"   ? Command::verify
+                        : name == "batch"    ? Command::batch
                         : name == "view"     ? Command::view
                         : name == "import"   ? Command::import
                                              : Command::paper;
@@ -329,6 +373,7 @@ struct Parser {
                        " is no known data set, must be acronym");
     if (grasp) arguments.grasp = read_grasp(*grasp);
     if (page && page->empty()) throw UsageError("--out: '' is not a file");
+    if (arguments.command == Command::batch) read_batch();
     arguments.page = page ? *page : page_of(arguments.file);
     PaperArguments& paper = arguments.paper;
     if (arguments.command == Command::paper && paper.out.empty())
@@ -339,6 +384,32 @@ struct Parser {
     if (weight) paper.weight = read_number("--weight", *weight, true, 1e6);
     if (force_cap) arguments.force_cap = read_force_cap(*force_cap);
     if (safety) arguments.safety = read_safety(*safety);
+  }
+
+  void read_batch() {
+    BatchArguments& batch = arguments.batch;
+    if (what && *what != "best" && *what != "hold")
+      throw UsageError("--what: " + poise::quoted(*what) + " must be best or hold");
+    batch.hold = what == "hold";
+    for (const auto& [given, flag, of_hold] : {std::tuple(!!angle, "--angle", true),
+                                               {!!up, "--up", true},
+                                               {!!domain, "--domain", false},
+                                               {!!gap, "--gap", false},
+                                               {!!max_holds, "--max-holds", false}})
+      if (given && of_hold != batch.hold)
+        throw UsageError(std::string(flag) + ": is for --what " + (of_hold ? "hold" : "best"));
+    for (const std::string& input : batch.inputs) {
+      const bool acronym = input.ends_with(".h5");
+      if (acronym && arguments.mesh_root.empty())
+        throw UsageError(shown(input) + ": needs --mesh-root, the folder with its meshes/");
+      if (hdf5 && !acronym)
+        throw UsageError("--hdf5: is for the ACRONYM data set, " + shown(input) +
+                         " is not a file of it (.h5)");
+    }
+    if (hdf5 && (hdf5->empty() || !out))
+      throw UsageError(hdf5->empty() ? "--hdf5: '' is not a file" : "--hdf5: needs --out");
+    batch.hdf5 = hdf5.value_or("");
+    if (batch.resume && !out) throw UsageError("--resume: needs --out");
   }
 
   /// What to say about words that nothing was waiting for.
@@ -357,7 +428,7 @@ struct Parser {
     if (before)
       throw UsageError("unknown command " + quoted(word) +
                        ", must be check, contacts, hold, best, curve, capacity, draw, verify, " +
-                       "view, import or paper");
+                       "batch, view, import or paper");
     throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
                      (command.get_name() == "paper"    ? "no FILE"
                       : command.get_name() == "verify" ? "one FILE and one RESULT"

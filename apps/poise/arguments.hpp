@@ -21,6 +21,7 @@ enum class Command {
   capacity,
   draw,
   verify,
+  batch,
   view,
   import,
   paper
@@ -32,6 +33,13 @@ struct PaperArguments {
   std::optional<double> phi_deg{};  ///< above 0, at most 90
   std::optional<double> mu1{}, mu2{};
   double weight{10};  ///< [N]
+};
+
+struct BatchArguments {
+  std::vector<std::string> inputs{};
+  std::string hdf5{};  ///< the file of arrays to write, or ""
+  bool hold{false};    ///< one posture instead of the best
+  bool resume{false}, strict{false};
 };
 
 struct Arguments {
@@ -52,10 +60,11 @@ struct Arguments {
   std::optional<Eigen::Quaterniond> orientation{};  ///< object to world
   std::optional<std::string> plot{};                ///< the SVG file to draw
   std::string page{};                               ///< the file to write the page to
-  std::string out{};        ///< the grasp file to write; "": print it; or the SVG or PNG of `draw`
-  std::string mesh_root{};  ///< of `import`: the folder that has the meshes
+  std::string out{};        ///< the file to write; "": print it
+  std::string mesh_root{};  ///< of ACRONYM: the folder that has the meshes
   std::size_t grasp{0};     ///< of `import`: which one of the file
   PaperArguments paper{};
+  BatchArguments batch{};
 };
 
 /// A command line that makes no sense; what() says why and what would.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "batch.hpp"
 #include "data/acronym.hpp"
 #include "files/grasp_writer.hpp"
 #include "files/result.hpp"
@@ -314,6 +315,7 @@ Answer answer(const Arguments& arguments) {
   if (arguments.command == Command::paper)
     return {paper(arguments.paper, arguments.json, style_of_output())};
   if (arguments.command == Command::import) return answer_import(arguments);
+  if (arguments.command == Command::batch) return batch(arguments);
   const GraspFile any = read_grasp_file(arguments.file);
   if (arguments.command == Command::verify) {
     const Verdict checked = verdict(any, arguments.result, arguments.json, style_of_output());

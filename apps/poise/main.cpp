@@ -40,7 +40,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // write errors are seen by print()
+  std::signal(SIGPIPE, SIG_IGN);  // write errors are seen where they happen
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run(argc, argv);
   } catch (const poise::UsageError& error) {

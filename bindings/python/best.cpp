@@ -2,6 +2,7 @@
 #include "module.hpp"
 #include "parallel.hpp"
 #include "poise/best_posture.hpp"
+#include "poise/best_spatial_posture.hpp"
 #include "values.hpp"
 
 namespace poise::python {
@@ -9,20 +10,82 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
 
-std::vector<BestPosture> best_many(const std::vector<std::shared_ptr<Grasp<2>>>& grasps,
-                                   Domain domain, double force_cap) {
-  const CurveSettings settings = curve_settings(domain, force_cap);
+using GraspPointer = std::shared_ptr<AnyGrasp>;
+/// A grasp, or the scenarios of one in space.
+using Held = std::variant<GraspPointer, std::vector<GraspPointer>>;
+using Best = std::variant<BestPosture, BestSpatialPosture>;
+
+const SpatialSettings spatial;  // the defaults
+
+/// The settings of both dimensions.
+struct Settings {
+  CurveSettings curve;
+  SpatialSettings space;
+};
+
+Settings settings(Domain domain, double force_cap, double gap, int max_holds,
+                  const py::object& tilt, int starts) {
+  Settings result{.curve = curve_settings(domain, force_cap),
+                  .space = {.gap = gap,
+                            .max_holds = max_holds,
+                            .force_cap = checked_cap(force_cap),
+                            .starts = starts}};
+  if (!tilt.is_none())
+    result.space.tilt = Tilt{unit<3>(tilt.attr("from_").cast<Eigen::VectorXd>(), "tilt.from_"),
+                             tilt.attr("most").cast<double>()};
+  return result;
+}
+
+Best best_of(const Held& held, const Settings& settings) {
+  if (const auto* const one = std::get_if<GraspPointer>(&held)) {
+    if (const auto* const planar = std::get_if<Grasp<2>>(&(*one)->of)) {
+      if (settings.space.tilt)
+        throw InvalidGrasp("tilt", "is for space, the grasp is in the plane");
+      return best_posture(*planar, settings.curve);
+    }
+  }
+  if (settings.curve.domain != Domain::all)
+    throw InvalidGrasp("domain", "must be all in space, where best_pinched is found anyway");
+  if (const auto* const one = std::get_if<GraspPointer>(&held))
+    return best_posture(only<3>(**one), settings.space);
+  std::vector<Grasp<3>> scenarios;
+  for (const GraspPointer& grasp : std::get<std::vector<GraspPointer>>(held))
+    scenarios.push_back(only<3>(*grasp));
+  return best_posture(scenarios, settings.space);
+}
+
+Best best_asked(const Held& held, Domain domain, double force_cap, double gap, int max_holds,
+                const py::object& tilt, int starts) {
+  const Settings all = settings(domain, force_cap, gap, max_holds, tilt, starts);
   const py::gil_scoped_release unlocked;
-  std::vector<BestPosture> best(grasps.size());
-  parallel(grasps.size(), 1, [&](std::size_t k) { best[k] = best_posture(*grasps[k], settings); });
+  return best_of(held, all);
+}
+
+std::vector<Best> best_many(const std::vector<Held>& many, Domain domain, double force_cap,
+                            double gap, int max_holds, const py::object& tilt, int starts) {
+  const Settings all = settings(domain, force_cap, gap, max_holds, tilt, starts);
+  const py::gil_scoped_release unlocked;
+  std::vector<Best> best(many.size());
+  parallel(many.size(), 1, [&](std::size_t k) { best[k] = best_of(many[k], all); });
   return best;
 }
 
-void add_types(py::module_& module) {
+Eigen::Vector4d turn(const Eigen::VectorXd& orientation, const Eigen::VectorXd& up) {
+  const Eigen::Vector4d given = sized<4>(orientation, "orientation");
+  if (!given.allFinite() || given.isZero(0))
+    throw InvalidGrasp("orientation", "must be a rotation: a quaternion w, x, y, z");
+  const Eigen::Vector4d wxyz = given.stableNormalized();
+  const Eigen::Quaterniond turn =
+      smallest_turn(Eigen::Quaterniond(wxyz[0], wxyz[1], wxyz[2], wxyz[3]), unit<3>(up));
+  return {turn.w(), turn.x(), turn.y(), turn.z()};
+}
+
+void add_planar(py::module_& module) {
   py::class_<PlanarPosture>(module, "PlanarPosture",
                             "A posture worth knowing: an optimum of the curve with its hold.")
       .def_readonly("optimum", &PlanarPosture::optimum)
-      .def_readonly("hold", &PlanarPosture::hold)
+      .def_property_readonly("hold",
+                             [](const PlanarPosture& posture) { return AnyHold{posture.hold}; })
       .def_readonly("manner", &PlanarPosture::manner)
       .def_readonly("edges_meet", &PlanarPosture::edges_meet,
                     "At a kink with exactly two loaded contacts, both slipping: where the edges of "
@@ -63,30 +126,108 @@ void add_types(py::module_& module) {
       });
 }
 
+void add_spatial(py::module_& module) {
+  py::class_<SpatialPosture>(module, "SpatialPosture", "A posture in space, with its hold.")
+      .def_readonly("up", &SpatialPosture::up, "(3,), unit vector, object frame.")
+      .def_property_readonly(
+          "hold", [](const SpatialPosture& posture) { return AnyHold{posture.hold}; },
+          "Of the scenario that decides.")
+      .def_readonly("manner", &SpatialPosture::manner)
+      .def_readonly("scenario", &SpatialPosture::scenario,
+                    "The one that needs the greatest effort: an index.")
+      .def_readonly("scenario_efforts", &SpatialPosture::scenario_efforts, "[N^2]")
+      .def_property_readonly("effort", &SpatialPosture::effort, "V of the hold [N^2].")
+      .def("__repr__", [](const SpatialPosture& posture) {
+        return py::str("SpatialPosture(up={}, effort={:.6g} N^2, {})")
+            .format(shown(posture.up), posture.effort(), to_string(posture.manner));
+      });
+
+  py::class_<Cut>(module, "Cut",
+                  "Cuts off postures: by the y of a scenario, or a plane of the tilt.")
+      .def_readonly("y", &Cut::y,
+                    "A twist about the object frame's origin (6,) [N, N/m]: for every x in R^3, "
+                    "weight x through\nthe com of the scenario needs an effort of at least\n"
+                    "2 (y . w(x) - phi(G^T y)).")
+      .def_readonly("scenario", &Cut::scenario)
+      .def_readonly("n", &Cut::n,
+                    "(3,): n . x <= 0 in the whole domain; then y and scenario say nothing. Or "
+                    "None.")
+      .def("__repr__", [](const Cut& cut) {
+        return cut.n ? py::str("Cut(n={})").format(shown(*cut.n))
+                     : py::str("Cut(y={}, scenario {})").format(shown(cut.y), cut.scenario);
+      });
+
+  py::class_<BestSpatialPosture>(module, "BestSpatialPosture",
+                                 "The posture in which the fingers press least, certified.")
+      .def_readonly("status", &BestSpatialPosture::status)
+      .def_readonly("best", &BestSpatialPosture::best,
+                    "The best posture; None where nothing holdable was found.")
+      .def_readonly("minima", &BestSpatialPosture::minima,
+                    "Local minima over the domain, best first, found by descent from many starts: "
+                    "not proven\ncomplete.")
+      .def_readonly("pinched", &BestSpatialPosture::pinched, "Index into minima, or None.")
+      .def_property_readonly("best_pinched", &BestSpatialPosture::best_pinched,
+                             py::return_value_policy::reference_internal,
+                             "The lowest of the minima that is pinched and inside the domain and "
+                             "the holdable set, or None.")
+      .def_readonly("lower_bound", &BestSpatialPosture::lower_bound,
+                    "On the effort in the whole domain [N^2]: no x with |x| > 1 satisfies all cuts "
+                    "with\n2 (y . w(x) - phi(G^T y)) <= lower_bound. Where unholdable, above the "
+                    "square of the force cap.")
+      .def_readonly("relative_gap", &BestSpatialPosture::relative_gap,
+                    "(effort - lower_bound) / effort; 0 where there is no best.")
+      .def_readonly("cuts", &BestSpatialPosture::cuts, "The certificate.")
+      .def_readonly("holds", &BestSpatialPosture::holds, "Spent on the certificate.")
+      .def("__repr__", [](const BestSpatialPosture& best) {
+        if (!best.best) return py::str("BestSpatialPosture({})").format(to_string(best.status));
+        return py::str("BestSpatialPosture({}, best={})")
+            .format(to_string(best.status), py::cast(*best.best));
+      });
+}
+
 }  // namespace
 
 void add_best(py::module_& module) {
-  add_types(module);
+  add_planar(module);
+  add_spatial(module);
   module.def(
-      "best_posture",
-      [](const Grasp<2>& grasp, Domain domain, double force_cap) {
-        const CurveSettings settings = curve_settings(domain, force_cap);
-        const py::gil_scoped_release unlocked;
-        return best_posture(grasp, settings);
-      },
-      py::arg("grasp"), py::kw_only(), py::arg("domain") = Domain::all, py::arg("force_cap") = 1e6,
-      "The best posture of a planar grasp, exactly.");
+      "best_posture", &best_asked, py::arg("grasp"), py::kw_only(), py::arg("domain") = Domain::all,
+      py::arg("force_cap") = 1e6, py::arg("gap") = spatial.gap,
+      py::arg("max_holds") = spatial.max_holds, py::arg("tilt") = py::none(),
+      py::arg("starts") = spatial.starts,
+      "The best posture of a grasp. In the plane exactly, within the domain: BestPosture.\n\n"
+      "In space with a certificate, a BestSpatialPosture: until (effort - lower_bound) / effort "
+      "is\n"
+      "at most gap, or max_holds are spent; with a Tilt only postures near one direction. Instead "
+      "of\na grasp a list of scenarios may be given: grasps with the same contacts and their own "
+      "weights\nand centres of mass; then the worst of them decides. Local minima are sought from "
+      "so many\nstarts; 0: none are sought. Raises InvalidGrasp for settings out of their ranges.");
   module.def("best_many", &best_many, py::arg("grasps"), py::kw_only(),
              py::arg("domain") = Domain::all, py::arg("force_cap") = 1e6,
-             "The best postures of many grasps, in their order, on all cores.");
+             py::arg("gap") = spatial.gap, py::arg("max_holds") = spatial.max_holds,
+             py::arg("tilt") = py::none(), py::arg("starts") = spatial.starts,
+             "The best postures of many grasps, in their order, on all cores; see best_posture.");
   module.def(
       "posture_at",
-      [](const Grasp<2>& grasp, const Optimum& optimum, Domain domain, double force_cap) {
-        return posture_at(grasp, optimum, curve_settings(domain, force_cap));
+      [](const AnyGrasp& grasp, const Optimum& optimum, Domain domain, double force_cap) {
+        return posture_at(only<2>(grasp), optimum, curve_settings(domain, force_cap));
       },
       py::arg("grasp"), py::arg("optimum"), py::kw_only(), py::arg("domain") = Domain::all,
       py::arg("force_cap") = 1e6,
       "An optimum of a curve, with its hold, manner and meeting point.");
+  module.def(
+      "cradled",
+      [](const AnyGrasp& grasp, const Eigen::VectorXd& up) {
+        return cradled(only<3>(grasp), unit<3>(up));
+      },
+      py::arg("grasp"), py::arg("up"),
+      "Space: whether in the posture up (3,) the centre of mass lies in the fork of the fingers.\n"
+      "The plane has cradled_wedge.");
+  module.def(
+      "smallest_turn", &turn, py::arg("orientation"), py::arg("up"),
+      "The smallest rotation, in the world frame, that takes an object from its orientation\n"
+      "(object to world) to one in which up (3,) points along the world's +z. Quaternions "
+      "(4,):\nw, x, y, z; that which is returned has w >= 0.");
 }
 
 }  // namespace poise::python

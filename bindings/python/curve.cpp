@@ -134,20 +134,25 @@ void add_curve(py::module_& module) {
   add_types(module);
   module.def(
       "posture_curve",
-      [](const Grasp<2>& grasp, Domain domain, double force_cap) {
+      [](const AnyGrasp& grasp, Domain domain, double force_cap) {
         const CurveSettings settings = curve_settings(domain, force_cap);
         const py::gil_scoped_release unlocked;
-        return posture_curve(grasp, settings);
+        return posture_curve(only<2>(grasp), settings);
       },
       py::arg("grasp"), py::kw_only(), py::arg("domain") = Domain::all, py::arg("force_cap") = 1e6,
       "V(theta) of every posture of the domain, with its minima and maxima, without sampling.\n"
       "Postures that need a force norm above force_cap [weights] are unholdable.");
-  module.def("domain_interval", &domain_interval, py::arg("grasp"), py::arg("domain"),
-             "The postures to choose from: the whole circle, or the closed rest of the cradled "
-             "wedge.");
-  module.def("cradled_wedge", &cradled_wedge, py::arg("grasp"),
-             "The postures in which the centre of mass lies in the fork of the fingers: an open "
-             "interval\nof less than 180 degrees; from_ == to where nothing is cradled.");
+  module.def(
+      "domain_interval",
+      [](const AnyGrasp& grasp, Domain domain) { return domain_interval(only<2>(grasp), domain); },
+      py::arg("grasp"), py::arg("domain"),
+      "The postures to choose from: the whole circle, or the closed rest of the cradled "
+      "wedge.");
+  module.def(
+      "cradled_wedge", [](const AnyGrasp& grasp) { return cradled_wedge(only<2>(grasp)); },
+      py::arg("grasp"),
+      "The postures in which the centre of mass lies in the fork of the fingers: an open "
+      "interval\nof less than 180 degrees; from_ == to where nothing is cradled.");
 }
 
 }  // namespace poise::python

@@ -5,37 +5,61 @@
 namespace poise::python {
 namespace {
 
-py::object write(const Shape& shape) {
-  if (const auto* disk = std::get_if<Disk>(&shape)) return type("Disk")(disk->radius);
-  if (const auto* ellipse = std::get_if<Ellipse>(&shape)) return type("Ellipse")(ellipse->radii);
-  return type("Polygon")(std::get<Polygon>(shape).vertices);
+py::object write(const Disk& disk) { return type("Disk")(disk.radius); }
+py::object write(const Ellipse& ellipse) { return type("Ellipse")(ellipse.radii); }
+py::object write(const Polygon& polygon) { return type("Polygon")(polygon.vertices); }
+py::object write(const Box& box) { return type("Box")(box.size); }
+py::object write(const Cylinder& cylinder) {
+  return type("Cylinder")(cylinder.radius, cylinder.height);
+}
+py::object write(const Sphere& sphere) { return type("Sphere")(sphere.radius); }
+py::object write(const Ellipsoid& ellipsoid) { return type("Ellipsoid")(ellipsoid.radii); }
+
+py::object write(const MeshShape& mesh) { return type("MeshShape")(mesh.file, mesh.scale); }
+
+template <int Dim>
+py::object write(const CommonFile<Dim>& file, const py::object& object) {
+  using namespace py::literals;  // NOLINT(google-build-using-namespace): _a
+  py::object result =
+      py::module_::import("poise._files")
+          .attr("GraspFile")(object, python::write(file.contacts), "name"_a = file.name,
+                             "safety"_a = file.safety, "warnings"_a = file.warnings);
+  if (file.shape)
+    result.attr("shape") = std::visit([](const auto& shape) { return write(shape); }, *file.shape);
+  return result;
 }
 
 py::object write(const PlanarFile& file) {
-  using namespace py::literals;  // NOLINT(google-build-using-namespace): _a
-  return py::module_::import("poise._files")
-      .attr("GraspFile")(
-          python::write(file.object), python::write(file.contacts), "name"_a = file.name,
-          "safety"_a = file.safety, "angle"_a = file.angle, "domain"_a = file.domain,
-          "shape"_a = file.shape ? write(*file.shape) : py::none(), "warnings"_a = file.warnings);
+  py::object result = write<2>(file, python::write(file.object));
+  result.attr("angle") = file.angle;
+  result.attr("domain") = file.domain;
+  return result;
 }
 
-/// @param name  of the file in messages
-py::object write(const GraspFile& file, const std::string& name) {
-  if (const auto* planar = std::get_if<PlanarFile>(&file)) return write(*planar);
-  throw FileError(name, {}, "dimension", "is 3, must be 2: Python knows the plane alone");
+py::object write(const SpatialFile& file) {
+  py::list scenarios;
+  for (const Object<3>& object : file.scenarios) scenarios.append(python::write(object));
+  py::object result =
+      write<3>(file, scenarios.size() == 1 ? py::object(scenarios[0]) : py::object(scenarios));
+  result.attr("up") = file.up;
+  if (file.tilt) result.attr("tilt") = type("Tilt")(file.tilt->from, file.tilt->most);
+  return result;
+}
+
+py::object write(const GraspFile& file) {
+  return std::visit([](const auto& either) { return write(either); }, file);
 }
 
 }  // namespace
 
 void add_files(py::module_& module) {
   module.def(
-      "read_grasp_file", [](const std::string& file) { return write(read_grasp_file(file), file); },
+      "read_grasp_file", [](const std::string& file) { return write(read_grasp_file(file)); },
       py::arg("file"), "Reads a grasp file, YAML or JSON; \"-\" is standard input.");
   module.def(
       "grasp_from_yaml",
       [](const std::string& text, const std::string& file) {
-        return write(grasp_from_yaml(text, file), file);
+        return write(grasp_from_yaml(text, file));
       },
       py::arg("text"), py::arg("file"),
       "Reads a text, YAML or JSON; file is its name in messages.");

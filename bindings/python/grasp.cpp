@@ -4,58 +4,110 @@
 #include "values.hpp"
 
 namespace poise::python {
+namespace {
+
+std::shared_ptr<AnyGrasp> make_grasp(const py::object& object, const py::iterable& contacts,
+                                     double safety) {
+  const py::list list(contacts);
+  const py::object place = list.empty() ? object.attr("com") : list[0].attr("position");
+  if (place.cast<Eigen::VectorXd>().size() == 3)
+    return std::make_shared<AnyGrasp>(
+        AnyGrasp{Grasp<3>(read_object<3>(object), read_contacts<3>(list), safety)});
+  return std::make_shared<AnyGrasp>(
+      AnyGrasp{Grasp<2>(read_object<2>(object), read_contacts<2>(list), safety)});
+}
+
+/// Contacts that make the same grasp again, when their friction is not divided any more.
+template <int Dim>
+std::vector<Contact<Dim>> given_contacts(const Grasp<Dim>& grasp) {
+  std::vector<Contact<Dim>> contacts = grasp.contacts();
+  std::vector<int> contacts_of(grasp.fingers().size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) ++contacts_of[grasp.finger_of(i)];
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (contacts_of[grasp.finger_of(i)] == 1 && contacts[i].finger == std::to_string(i))
+      contacts[i].finger.clear();  // another one may have the same label
+  return contacts;
+}
+
+std::size_t finger_of(const AnyGrasp& any, std::size_t contact) {
+  return std::visit(
+      [&](const auto& grasp) {
+        if (contact >= grasp.contacts().size()) throw py::index_error("no such contact");
+        return grasp.finger_of(contact);
+      },
+      any.of);
+}
+
+Eigen::VectorXd load(const AnyGrasp& any, const Eigen::VectorXd& up) {
+  return std::visit(
+      [&]<int Dim>(const Grasp<Dim>& grasp) -> Eigen::VectorXd {
+        return grasp.load(unit<Dim>(up));
+      },
+      any.of);
+}
+
+}  // namespace
 
 void add_grasp(py::module_& module) {
-  py::class_<Grasp<2>, std::shared_ptr<Grasp<2>>>(
+  py::class_<AnyGrasp, std::shared_ptr<AnyGrasp>>(
       module, "Grasp",
-      "An object and its contacts, checked and prepared. Immutable.\n\n"
-      "safety: every friction is divided by it, >= 1\n"
+      "An object and its contacts, checked and prepared. Immutable. In the plane or in space, as\n"
+      "the positions of the contacts have two or three numbers.\n\n"
+      "safety: every friction and torsion is divided by it, >= 1\n"
       "Raises InvalidGrasp where a number is not finite or out of its range, a normal has no\n"
       "length, or there are no contacts.")
-      .def(py::init([](const py::object& object, const py::iterable& contacts, double safety) {
-             return std::make_shared<Grasp<2>>(read_object<2>(object), read_contacts<2>(contacts),
-                                               safety);
-           }),
-           py::arg("object"), py::arg("contacts"), py::arg("safety") = 1.0)
+      .def(py::init(&make_grasp), py::arg("object"), py::arg("contacts"), py::arg("safety") = 1.0)
+      .def_property_readonly("dimension",
+                             each<AnyGrasp>([]<int Dim>(const Grasp<Dim>&) { return Dim; }),
+                             "2: the plane, 3: space")
       .def_property_readonly(
-          "dimension", [](const Grasp<2>&) { return 2; }, "2: the plane")
+          "object", each<AnyGrasp>([](const auto& grasp) { return write(grasp.object()); }),
+          "Object")
       .def_property_readonly(
-          "object", [](const Grasp<2>& grasp) { return write(grasp.object()); }, "Object")
-      .def_property_readonly(
-          "contacts", [](const Grasp<2>& grasp) { return write(grasp.contacts()); },
-          "The contacts with unit normals, friction already divided by the safety factor, fingers\n"
-          "named.")
-      .def_property_readonly("fingers", &Grasp<2>::fingers,
+          "contacts", each<AnyGrasp>([](const auto& grasp) { return write(grasp.contacts()); }),
+          "The contacts with unit normals, friction and torsion already divided by the safety\n"
+          "factor, fingers named.")
+      .def_property_readonly("fingers",
+                             each<AnyGrasp>([](const auto& grasp) { return grasp.fingers(); }),
                              "The fingers' labels in the order of their first contact.")
-      .def(
-          "finger_of",
-          [](const Grasp<2>& grasp, std::size_t contact) {
-            if (contact >= grasp.contacts().size()) throw py::index_error("no such contact");
-            return grasp.finger_of(contact);
-          },
-          py::arg("contact"), "Index into fingers of a contact.")
-      .def_property_readonly("radius", &Grasp<2>::radius,
+      .def("finger_of", &finger_of, py::arg("contact"), "Index into fingers of a contact.")
+      .def_property_readonly("radius",
+                             each<AnyGrasp>([](const auto& grasp) { return grasp.radius(); }),
                              "L [m], the distance of the farthest contact from the centre of mass.")
-      .def(
-          "load", [](const Grasp<2>& grasp, const Vector<2>& up) { return grasp.load(unit(up)); },
-          py::arg("up"),
-          "The wrench that the contacts must supply in the posture up (2,): weight * up through\n"
-          "the centre of mass, about the origin. (3,): force [N], moment [N m]")
-      .def("__repr__", [](const Grasp<2>& grasp) {
-        return py::str("Grasp(weight={:g} N, {} contacts, fingers={})")
-            .format(grasp.object().weight, grasp.contacts().size(), grasp.fingers());
-      });
+      .def("load", &load, py::arg("up"),
+           "The wrench that the contacts must supply in the posture up (2,) or (3,): weight * up\n"
+           "through the centre of mass, about the origin. (3,) or (6,): force [N], moment [N m]")
+      .def(py::pickle(each<AnyGrasp>([](const auto& grasp) {
+                        return py::make_tuple(write(grasp.object()), write(given_contacts(grasp)));
+                      }),
+                      [](const py::tuple& state) { return make_grasp(state[0], state[1], 1); }))
+      .def("__repr__", each<AnyGrasp>([](const auto& grasp) {
+             return py::str("Grasp(weight={:g} N, {} contacts, fingers={})")
+                 .format(grasp.object().weight, grasp.contacts().size(), grasp.fingers());
+           }));
 
-  module.def("grasp_matrix", &grasp_matrix<2>, py::arg("grasp"),
-             "G: stacked contact forces (normal, tangential; contact by contact) to the wrench on\n"
-             "the object about the object frame's origin. (3, 2 n) for n contacts");
-  module.def("force_closure", &force_closure<2>, py::arg("grasp"),
+  module.def(
+      "grasp_matrix",
+      each<AnyGrasp>([](const auto& grasp) -> Eigen::MatrixXd { return grasp_matrix(grasp); }),
+      py::arg("grasp"),
+      "G: stacked contact forces to the wrench on the object about the object frame's origin.\n"
+      "In the plane (3, 2 n) for n contacts: normal, tangential, contact by contact. In space\n"
+      "(6, 4 n): forces along the normal and along tangents(normal) [N], and the moment about the\n"
+      "normal [N m].");
+  module.def("force_closure",
+             each<AnyGrasp>([](const auto& grasp) { return force_closure(grasp); }),
+             py::arg("grasp"),
              "Whether the contacts, without force limits, can balance any wrench at all.");
   module.def("up_at", &up_at, py::arg("theta"),
              "The planar posture (sin theta, cos theta), shape (2,): the direction against gravity "
              "in\nthe object frame, when the object is turned counter-clockwise by theta [rad].");
   module.def("angle_of", &angle_of, py::arg("up"),
              "The theta [rad], in (-pi, pi], of a planar posture (2,).");
+  module.def(
+      "tangents", [](const Eigen::VectorXd& normal) { return tangents(unit<3>(normal, "normal")); },
+      py::arg("normal"),
+      "Two unit vectors a, b in the columns (3, 2) that make (normal, a, b) a right-handed frame;\n"
+      "normal (3,) of any length but 0.");
 }
 
 }  // namespace poise::python

@@ -6,8 +6,10 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <variant>
 
 #include "poise/best_posture.hpp"
+#include "poise/best_spatial_posture.hpp"
 #include "shape/shape.hpp"
 
 namespace poise::python {
@@ -41,6 +43,11 @@ struct Words<Kind> {
   static constexpr std::array list{"boundary", "kink", "smooth"};
 };
 template <>
+struct Words<Status> {
+  static constexpr auto name = py::detail::const_name("Status");
+  static constexpr std::array list{"optimal", "gap", "unholdable"};
+};
+template <>
 struct Words<Domain> {
   static constexpr auto name = py::detail::const_name("Domain");
   static constexpr std::array list{"all", "pinched"};
@@ -65,22 +72,63 @@ struct EnumCaster {
   }
 };
 
+/// What the plane and space have under one name in Python.
+template <template <int> class T>
+struct Either {
+  std::variant<T<2>, T<3>> of;
+};
+using AnyGrasp = Either<Grasp>;
+using AnyHold = Either<Hold>;
+
+/// What `f` makes of either of them.
+template <class E, class F>
+auto each(F f) {
+  return [f](const E& either) { return std::visit(f, either.of); };
+}
+
+/// What `f` makes of a grasp and a hold of it.
+/// @throws InvalidGrasp for a hold of another grasp, whose forces make no sense
+template <class F>
+auto each(const AnyGrasp& any, const AnyHold& hold, F f) {
+  return std::visit(
+      [&]<int Dim>(const Grasp<Dim>& grasp) {
+        const auto* const own = std::get_if<Hold<Dim>>(&hold.of);
+        if (!own || (own->holdable && own->forces.size() != grasp.contacts().size()))
+          throw InvalidGrasp("hold", "is of another grasp");
+        return f(grasp, *own);
+      },
+      any.of);
+}
+
+/// The grasp, of that dimension alone.
+template <int Dim>
+const Grasp<Dim>& only(const AnyGrasp& grasp) {
+  if (const auto* const own = std::get_if<Grasp<Dim>>(&grasp.of)) return *own;
+  throw InvalidGrasp("grasp", Dim == 2 ? "is in space, must be in the plane"
+                                       : "is in the plane, must be in space");
+}
+
+/// Numbers as many as needed; `path` is their name in messages.
+template <int Size>
+Eigen::Matrix<double, Size, 1> sized(const Eigen::VectorXd& numbers, const std::string& path) {
+  if (numbers.size() != Size)
+    throw InvalidGrasp(path, "has " + std::to_string(numbers.size()) + " numbers, must have " +
+                                 std::to_string(Size));
+  return numbers;
+}
+
 /// A vector from Python's attribute of that name; `path` is its name in messages.
 template <int Dim>
 Vector<Dim> read_vector(py::handle source, const char* name, const std::string& path) {
-  const auto vector = source.attr(name).cast<Eigen::VectorXd>();
-  if (vector.size() != Dim)
-    throw InvalidGrasp(path + name, "has " + std::to_string(vector.size()) +
-                                        " numbers, must have " + std::to_string(Dim));
-  return vector;
+  return sized<Dim>(source.attr(name).cast<Eigen::VectorXd>(), path + name);
 }
 
 /// A direction of any length, made a unit vector.
-template <int Dim = 2>
-Vector<Dim> unit(const Vector<Dim>& up, const std::string& path = "up") {
-  const Vector<Dim> unit = up.stableNormalized();
-  if (!up.allFinite() || up.isZero(0)) throw InvalidGrasp(path, "must be a direction");
-  return unit;
+template <int Dim>
+Vector<Dim> unit(const Eigen::VectorXd& up, const std::string& path = "up") {
+  const Vector<Dim> given = sized<Dim>(up, path);
+  if (!given.allFinite() || given.isZero(0)) throw InvalidGrasp(path, "must be a direction");
+  return given.stableNormalized();
 }
 
 /// A force cap [weights], in the range of the program's --force-cap.
@@ -107,9 +155,18 @@ std::vector<Contact<Dim>> read_contacts(const py::iterable& source) {
                         .min_normal = contact.attr("min_normal").cast<double>(),
                         .max_normal = contact.attr("max_normal").cast<double>(),
                         .share = contact.attr("share").cast<double>(),
-                        .finger = contact.attr("finger").cast<std::string>()});
+                        .finger = contact.attr("finger").cast<std::string>(),
+                        .torsion = contact.attr("torsion").cast<double>()});
   }
   return contacts;
+}
+
+/// Numbers as they are shown: "[1, 2.5]".
+template <class Numbers>
+std::string shown(const Numbers& numbers) {
+  py::list list;
+  for (const double number : numbers) list.append(py::str("{:.6g}").format(number));
+  return "[" + py::str(", ").attr("join")(list).template cast<std::string>() + "]";
 }
 
 template <int Dim>
@@ -123,7 +180,7 @@ py::list write(const std::vector<Contact<Dim>>& contacts) {
   py::list list;
   for (const Contact<Dim>& contact : contacts)
     list.append(python(contact.position, contact.normal, contact.friction, contact.min_normal,
-                       contact.max_normal, contact.share, contact.finger));
+                       contact.max_normal, contact.share, contact.finger, contact.torsion));
   return list;
 }
 
@@ -138,6 +195,8 @@ template <>
 struct type_caster<poise::Manner> : poise::python::EnumCaster<poise::Manner> {};
 template <>
 struct type_caster<poise::Kind> : poise::python::EnumCaster<poise::Kind> {};
+template <>
+struct type_caster<poise::Status> : poise::python::EnumCaster<poise::Status> {};
 template <>
 struct type_caster<poise::Domain> : poise::python::EnumCaster<poise::Domain> {};
 }  // namespace pybind11::detail

@@ -122,6 +122,30 @@ Json optimum(const Grasp<2>& grasp, const PlanarPosture& posture, bool with_type
   return result;
 }
 
+Json optimum(const std::vector<Grasp<3>>& grasps, const SpatialPosture& posture) {
+  Json hold = Json::object();
+  add_hold(hold, grasps, posture);
+  return hold;
+}
+
+/// A hold without its proof and its contacts; null stays null.
+Json brief(Json hold) {
+  if (hold.is_null()) return hold;
+  for (const char* const key : {"dual", "residual", "contacts"}) hold.erase(key);
+  return hold;
+}
+
+const char* status(const BestPosture& best) {
+  return !best.optimal() ? "gap" : best.holdable() ? "optimal" : "unholdable";
+}
+
+/// Null where nothing holds.
+Json relative_gap(const BestPosture& best) {
+  if (!best.holdable()) return {};
+  const double effort = best.best().hold.effort;
+  return number((effort - best.lower_bound) / effort);
+}
+
 Json arcs(const Grasp<2>& grasp, const PostureCurve& curve) {
   Json result = Json::array();
   for (const Arc& arc : curve.arcs) {
@@ -261,7 +285,7 @@ std::string best_document(const Grasp<2>& grasp, const BestPosture& best,
   Json result = document("best", options(settings));
   const bool holdable = best.holdable();
   const PlanarPosture* pinched = best.best_pinched();
-  result["status"] = !best.optimal() ? "gap" : holdable ? "optimal" : "unholdable";
+  result["status"] = status(best);
   result["best"] = holdable ? optimum(grasp, best.best()) : Json();
   result["best_pinched"] = pinched ? optimum(grasp, *pinched) : Json();
   result["minima"] = Json::array();
@@ -269,11 +293,7 @@ std::string best_document(const Grasp<2>& grasp, const BestPosture& best,
     result["minima"].push_back(optimum(grasp, minimum));
   result["worst"] = best.worst ? optimum(grasp, *best.worst) : Json();
   result["lower_bound"] = holdable ? Json(number(best.lower_bound)) : Json();
-  result["relative_gap"] = Json();
-  if (holdable) {
-    const double effort = best.best().hold.effort;
-    result["relative_gap"] = number((effort - best.lower_bound) / effort);
-  }
+  result["relative_gap"] = relative_gap(best);
   result["arcs"] = arcs(grasp, best.curve);
   result["unholdable_arcs"] = unholdable_arcs(best.curve);
   result["holdable_arcs_deg"] = holdable_arcs(best.curve);
@@ -309,17 +329,13 @@ std::string best_document(const std::vector<Grasp<3>>& grasps, const BestSpatial
   if (settings.tilt) options["tilt"] = tilt_value(*settings.tilt);
   options["orientation"] = quaternion(orientation);
   Json result = document("best", std::move(options));
-  const auto optimum = [&](const SpatialPosture& posture) {
-    Json hold = Json::object();
-    add_hold(hold, grasps, posture);
-    return hold;
-  };
   const SpatialPosture* pinched = best.best_pinched();
   result["status"] = to_string(best.status);
-  result["best"] = best.best ? optimum(*best.best) : Json();
-  result["best_pinched"] = pinched ? optimum(*pinched) : Json();
+  result["best"] = best.best ? optimum(grasps, *best.best) : Json();
+  result["best_pinched"] = pinched ? optimum(grasps, *pinched) : Json();
   result["minima"] = Json::array();
-  for (const SpatialPosture& minimum : best.minima) result["minima"].push_back(optimum(minimum));
+  for (const SpatialPosture& minimum : best.minima)
+    result["minima"].push_back(optimum(grasps, minimum));
   result["minima_complete"] = false;  // by descent from many starts
   result["lower_bound"] =
       best.status == Status::unholdable ? Json() : Json(number(best.lower_bound));
@@ -424,5 +440,34 @@ template std::string capacity_document<2>(const std::vector<Grasp<2>>&,
 template std::string capacity_document<3>(const std::vector<Grasp<3>>&,
                                           const std::vector<CapacityAt<3>>&,
                                           const CapacityOptions&);
+
+Json hold_summary(const Grasp<2>& grasp, double theta, const Hold<2>& hold) {
+  Json result = Json::object();
+  add_hold(result, grasp, theta, hold);
+  return brief(std::move(result));
+}
+
+Json hold_summary(const std::vector<Grasp<3>>& grasps, const SpatialPosture& posture) {
+  return brief(optimum(grasps, posture));
+}
+
+Json best_summary(const Grasp<2>& grasp, const BestPosture& best) {
+  const PlanarPosture* pinched = best.best_pinched();
+  return {{"status", status(best)},
+          {"best", best.holdable() ? brief(optimum(grasp, best.best())) : Json()},
+          {"best_pinched", pinched ? brief(optimum(grasp, *pinched)) : Json()},
+          {"lower_bound", best.holdable() ? Json(number(best.lower_bound)) : Json()},
+          {"relative_gap", relative_gap(best)}};
+}
+
+Json best_summary(const std::vector<Grasp<3>>& grasps, const BestSpatialPosture& best) {
+  const SpatialPosture* pinched = best.best_pinched();
+  const bool unholdable = best.status == Status::unholdable;
+  return {{"status", to_string(best.status)},
+          {"best", best.best ? brief(optimum(grasps, *best.best)) : Json()},
+          {"best_pinched", pinched ? brief(optimum(grasps, *pinched)) : Json()},
+          {"lower_bound", unholdable ? Json() : Json(number(best.lower_bound))},
+          {"relative_gap", best.best ? Json(number(best.relative_gap)) : Json()}};
+}
 
 }  // namespace poise

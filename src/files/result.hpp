@@ -1,6 +1,7 @@
 // Answers as JSON documents, for programs: docs/command-line.md.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,5 +62,14 @@ template <int Dim>
 std::string capacity_document(const std::vector<Grasp<Dim>>& grasps,
                               const std::vector<CapacityAt<Dim>>& answers,
                               const CapacityOptions& options);
+
+/// One answer of many: that of the documents above, but without what proves it (duals, arcs, cuts),
+/// minima beside the best ones, and what each contact does.
+nlohmann::ordered_json hold_summary(const Grasp<2>& grasp, double theta, const Hold<2>& hold);
+nlohmann::ordered_json hold_summary(const std::vector<Grasp<3>>& grasps,
+                                    const SpatialPosture& posture);
+nlohmann::ordered_json best_summary(const Grasp<2>& grasp, const BestPosture& best);
+nlohmann::ordered_json best_summary(const std::vector<Grasp<3>>& grasps,
+                                    const BestSpatialPosture& best);
 
 }  // namespace poise

@@ -34,4 +34,9 @@ Inertial read_inertial(const std::string& urdf, const std::string& link) {
 
 AcronymData read_acronym(const std::string& file) { return data_module().acronym(file); }
 
+void add_arrays(const std::string& file, const std::string& group,
+                const std::vector<NamedArray>& arrays) {
+  data_module().add_arrays(file, group, arrays);
+}
+
 }  // namespace poise

@@ -15,6 +15,7 @@ struct MeshModule {
 /// HDF5.
 struct DataModule {
   decltype(&read_acronym) acronym;
+  decltype(&poise::add_arrays) add_arrays;
 };
 
 }  // namespace poise

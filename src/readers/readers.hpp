@@ -65,4 +65,24 @@ struct AcronymData {
 /// @throws ReadError
 AcronymData read_acronym(const std::string& file);
 
+/// A file that cannot be written; what() says why, without its name.
+class WriteError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Numbers in rows, with attributes.
+struct NamedArray {
+  std::string name{};
+  std::size_t width{1};  ///< of a row; rows of one number make a list
+  std::vector<double> values{};
+  std::vector<std::pair<std::string, std::string>> attributes{};
+  bool whole{false};  ///< small whole numbers
+};
+
+/// Adds a group of arrays to an HDF5 file, which is made if there is none.
+/// @throws WriteError
+void add_arrays(const std::string& file, const std::string& group,
+                const std::vector<NamedArray>& arrays);
+
 }  // namespace poise

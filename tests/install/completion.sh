@@ -7,7 +7,7 @@ dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 cd "$dir"
 mkdir parts
-touch grasps.h5 disk.yaml disk.json notes.txt picture.svg 'two words.yml'
+touch grasps.h5 grasps.jsonl disk.yaml disk.json notes.txt picture.svg 'two words.yml'
 
 offered() {  # the words so far, the last one incomplete
   COMP_WORDS=("$@")
@@ -27,7 +27,7 @@ expect() {  # offered words, then the command line
   failures=$((failures + 1))
 }
 
-expect best,capacity,check,contacts,curve,draw,hold,import,paper,verify,view poise ''
+expect batch,best,capacity,check,contacts,curve,draw,hold,import,paper,verify,view poise ''
 expect capacity,check,contacts,curve poise c
 expect --help,--version poise --
 expect disk.json,disk.yaml,parts,'two words.yml' poise best ''
@@ -37,6 +37,8 @@ expect 'two words.yml' poise hold two
 expect disk.json poise verify disk.yaml disk.j
 expect all,pinched poise best disk.yaml --domain ''
 expect pinched poise curve --domain p
+expect best,hold poise batch --what ''
+expect grasps.h5,grasps.jsonl,parts poise batch ''
 expect parts,picture.svg poise curve disk.yaml --plot ''
 expect parts poise paper --out ''
 expect '' poise paper ''
@@ -48,7 +50,7 @@ expect '' poise nonsense ''
 expect --angle poise hold disk.yaml --a
 
 # Every flag that the program knows, and no other.
-for command in '' check contacts hold best curve capacity draw verify view import paper; do
+for command in '' check contacts hold best curve capacity draw verify batch view import paper; do
   known=$("$program" ${command:+"$command"} --help |
     sed -nE 's/^  (-[a-z],)?(--[a-z0-9-]+).*/\2/p' | sort | paste -sd ,)
   expect "$known" poise ${command:+"$command"} --

@@ -1,6 +1,7 @@
 """The Python listings of the documentation, as a reader would try them."""
 
 import contextlib
+import importlib.util
 import io
 import os
 import re
@@ -19,7 +20,7 @@ class Documentation(unittest.TestCase):
         matplotlib.use("Agg")
         text = page.read_text(encoding="utf-8")
         found = re.findall(r"```(python|text)\n(.*?)```", text, re.DOTALL)
-        names, printed, run = {}, None, 0
+        names, printed, run = {"__name__": "__main__"}, None, 0
         for language, listing in found:
             if language == "python":
                 stream = io.StringIO()
@@ -33,12 +34,15 @@ class Documentation(unittest.TestCase):
         self.assertGreater(run, 0)
 
     def test_pages(self):
+        pages = ["README.md", "docs/python.md"]
+        if importlib.util.find_spec("distributed"):
+            pages.append("docs/scale.md")
         start = Path.cwd()
         with tempfile.TemporaryDirectory() as directory:
             Path(directory, "examples").symlink_to(ROOT / "examples")
             os.chdir(directory)
             try:
-                for page in ["README.md", "docs/python.md"]:
+                for page in pages:
                     with self.subTest(page):
                         self.check_page(ROOT / page)
             finally:

@@ -45,6 +45,26 @@ def random_grasp(rng, contacts):
     )
 
 
+def random_spatial_grasp(rng, contacts):
+    """Contacts on an ellipsoid, pressing inwards, every other one soft."""
+    radii = rng.uniform(0.5, 2, 3)
+    on_sphere = rng.normal(size=(contacts, 3))
+    on_sphere /= np.linalg.norm(on_sphere, axis=1)[:, None]
+    return poise.Grasp(
+        poise.Object(rng.uniform(1, 10), rng.uniform(-0.2, 0.2, 3)),
+        [
+            poise.Contact(
+                radii * u,
+                -u / radii,
+                friction=rng.uniform(0.2, 1.2),
+                share=rng.uniform(0.5, 1),
+                torsion=rng.uniform(0.05, 0.2) * (k % 2),
+            )
+            for k, u in enumerate(on_sphere)
+        ],
+    )
+
+
 def answer(*arguments):
     """The JSON document that the program prints."""
     run = subprocess.run([PROGRAM, *arguments, "--json"], stdout=subprocess.PIPE, check=False)
@@ -95,6 +115,84 @@ class AgainstTheProgram(unittest.TestCase):
             if poise_dimension(file) == 2:
                 with self.subTest(file.name):
                     self.check_best(file)
+
+    def check_force(self, contact, force, expected):
+        self.assertEqual(force.normal, expected["normal_force"])
+        tangential = np.linalg.norm(force.tangential)
+        self.assertAlmostEqual(tangential, expected["tangential_force"], delta=1e-14 * tangential)
+        self.assertEqual(force.torsion_moment, expected.get("torsion_moment", 0))
+        self.assertEqual("torsion_moment" in expected, contact.torsion > 0)
+        self.assertEqual(force.friction_used, expected["friction_used"])
+        self.assertEqual(force.state.value, expected["state"])
+        self.assertEqual(force.limit.value, expected["limit"])
+
+    def check_spatial(self, grasps, posture, expected):
+        hold, grasp = posture.hold, grasps[posture.scenario]
+        self.assertEqual(posture.up.tolist(), expected["up"])
+        self.assertEqual(posture.effort, expected["effort"])
+        self.assertEqual(hold.effort, expected["effort"])
+        self.assertEqual(hold.lower_bound, expected["lower_bound"])
+        self.assertEqual(hold.dual.tolist(), expected["dual"])
+        self.assertEqual(posture.manner.value, expected["manner"])
+        self.assertEqual(poise.grip_force(grasp, hold), expected["grip_force"])
+        if len(grasps) > 1:
+            self.assertEqual(posture.scenario, expected["scenario"])
+            self.assertEqual(posture.scenario_efforts, expected["scenario_efforts"])
+        for contact, force, shown in zip(grasp.contacts, hold.forces, expected["contacts"]):
+            self.check_force(contact, force, shown)
+        for finger, shown in zip(poise.finger_forces(grasp, hold), expected["fingers"]):
+            self.assertEqual(finger.normal, shown["normal_force"])
+            self.assertEqual(finger.force.tolist(), shown["force"])
+
+    def check_best_in_space(self, file, gap):
+        read = poise.load(file)
+        grasps = read.grasps()
+        best = poise.best_posture(grasps, tilt=read.tilt, gap=gap)
+        expected = answer("best", file, "--gap", str(gap))
+        self.assertEqual(best.status.value, expected["status"])
+        self.assertEqual(best.holds, expected["holds"])
+        self.assertEqual(len(best.cuts), len(expected["cuts"]))
+        for cut, shown in zip(best.cuts, expected["cuts"]):
+            if "n" in shown:
+                self.assertEqual(cut.n.tolist(), shown["n"])
+            else:
+                self.assertEqual((cut.y.tolist(), cut.n), (shown["y"], None))
+                self.assertEqual(cut.scenario, shown["scenario"])
+        self.assertEqual(len(best.minima), len(expected["minima"]))
+        for posture, minimum in zip(best.minima, expected["minima"]):
+            self.check_spatial(grasps, posture, minimum)
+        if expected["best"] is None:
+            self.assertIsNone(best.best)
+            return
+        self.check_spatial(grasps, best.best, expected["best"])
+        self.assertEqual(best.lower_bound, expected["lower_bound"])
+        self.assertEqual(best.relative_gap, expected["relative_gap"])
+        self.assertEqual(best.best_pinched is None, expected["best_pinched"] is None)
+        if read.up is None:
+            shown = expected["rotation"]
+            turn = poise.smallest_turn([1, 0, 0, 0], best.best.up)
+            np.testing.assert_allclose(turn, [shown[key] for key in "wxyz"], rtol=1e-14)
+
+    def test_examples_in_space(self):
+        for file in sorted((ROOT / "examples").glob("*.yaml")):
+            if poise_dimension(file) == 3:
+                with self.subTest(file.name):
+                    self.check_best_in_space(file, 1e-3)
+
+    def test_random_grasps_in_space(self):
+        rng = np.random.default_rng(11)
+        with tempfile.TemporaryDirectory() as directory:
+            file = Path(directory, "grasp.json")
+            for contacts in [1, 2, 3, 4, 6]:
+                grasp = random_spatial_grasp(rng, contacts)
+                poise.save(grasp, file)
+                self.check_best_in_space(file, 1e-3)
+                up = rng.normal(size=3)
+                expected = answer("hold", file, "--up", ",".join(map(str, up)))
+                hold = poise.hold(grasp, up)
+                self.assertEqual(hold.holdable, expected["holdable"])
+                self.assertAlmostEqual(hold.lower_bound / expected["lower_bound"], 1, delta=1e-9)
+                self.assertEqual(poise.force_closure(grasp), answer("check", file)["force_closure"])
 
     def test_random_grasps(self):
         rng = np.random.default_rng(7)
@@ -175,6 +273,73 @@ class Holding(unittest.TestCase):
                 again = poise.hold(grasp, load, hold.dual)
                 self.assertAlmostEqual(again.effort / hold.effort, 1, delta=1e-9)
         self.assertGreater(held, 30)
+
+    def test_forces_in_space_balance_the_load_in_their_cones(self):
+        rng = np.random.default_rng(4)
+        held = 0
+        for contacts in [2, 3, 4, 8, 20]:
+            for _ in range(10):
+                grasp = random_spatial_grasp(rng, contacts)
+                up = rng.normal(size=3)
+                hold = poise.hold(grasp, up)
+                self.assertEqual(grasp.dimension, 3)
+                self.assertEqual(hold.dual.shape, (6,))
+                if not hold.holdable:
+                    self.assertEqual(hold.forces, [])
+                    self.assertTrue(poise.reason(grasp, hold))
+                    continue
+                held += 1
+                wrench, squares = np.zeros(6), 0
+                for contact, force in zip(grasp.contacts, hold.forces):
+                    n, t = contact.normal, force.tangential
+                    self.assertAlmostEqual(n @ t, 0, delta=1e-12 * grasp.object.weight)
+                    total = force.normal * n + t
+                    moment = force.torsion_moment
+                    wrench += np.concatenate([total, np.cross(contact.position, total) + moment * n])
+                    soft = contact.friction / contact.torsion if contact.torsion else 0
+                    used = np.hypot(np.linalg.norm(t), moment * soft)
+                    most = contact.friction * force.normal
+                    self.assertLessEqual(used, most * (1 + 1e-9) + 1e-12)
+                    squares += (force.normal**2 + used**2) / contact.share
+                np.testing.assert_allclose(
+                    wrench, grasp.load(up), atol=1e-9 * grasp.object.weight * (1 + grasp.radius)
+                )
+                self.assertAlmostEqual(squares / hold.effort, 1)
+                self.assertAlmostEqual(hold.lower_bound / hold.effort, 1)
+                again = poise.hold(grasp, grasp.load(up), hold.dual)
+                self.assertAlmostEqual(again.effort / hold.effort, 1, delta=1e-9)
+        self.assertGreater(held, 15)
+
+    def test_grasp_matrix_in_space(self):
+        grasp = random_spatial_grasp(np.random.default_rng(6), 3)
+        G = poise.grasp_matrix(grasp)
+        self.assertEqual(G.shape, (6, 12))
+        for k, contact in enumerate(grasp.contacts):
+            a, b = poise.tangents(contact.normal).T
+            np.testing.assert_allclose(np.cross(contact.normal, a), b, atol=1e-15)
+            for column, axis in zip(G.T[4 * k :], (contact.normal, a, b)):
+                np.testing.assert_allclose(
+                    column, np.concatenate([axis, np.cross(contact.position, axis)]), atol=1e-15
+                )
+            np.testing.assert_allclose(G[3:, 4 * k + 3], contact.normal, atol=1e-15)
+
+    def test_many_in_space_is_each_in_order(self):
+        grasp = random_spatial_grasp(np.random.default_rng(8), 4)
+        ups = np.random.default_rng(9).normal(size=(500, 3))
+        holds = poise.hold_many(grasp, ups)
+        each = [poise.hold(grasp, up) for up in ups]
+        self.assertEqual([hold.effort for hold in holds], [hold.effort for hold in each])
+        self.assertEqual(holds.holdable.tolist(), [hold.holdable for hold in each])
+        self.assertEqual(holds.tangential.shape, (500, 4, 3))
+        for k in np.flatnonzero(holds.holdable)[:20].tolist():
+            forces = holds[k].forces
+            self.assertEqual(holds.normal[k].tolist(), [force.normal for force in forces])
+            self.assertEqual(
+                holds.tangential[k].tolist(), [force.tangential.tolist() for force in forces]
+            )
+            self.assertEqual(
+                holds.torsion_moment[k].tolist(), [force.torsion_moment for force in forces]
+            )
 
     def test_many_is_each_in_order(self):
         grasp = disk()
@@ -278,6 +443,72 @@ class Curves(unittest.TestCase):
         up = poise.up_at(best.optimum.angle)
         self.assertAlmostEqual(np.cross(best.edges_meet, up), 0)
 
+    def test_best_many_in_space_is_each_in_order(self):
+        rng = np.random.default_rng(12)
+        spheres = [poise.Contact(u, -u, 0.8, torsion=0.1) for u in rng.normal(size=(4, 3))]
+        light, heavy = (poise.Grasp(poise.Object(w, [0, 0, 0.1]), spheres) for w in (1, 3))
+        grasps = [random_spatial_grasp(rng, 3), [light, heavy], disk(), random_spatial_grasp(rng, 4)]
+        many = poise.best_many(grasps, gap=1e-2, starts=4)
+        for one, grasp in zip(many, grasps):
+            again = poise.best_posture(grasp, gap=1e-2, starts=4)
+            self.assertEqual(one.lower_bound, again.lower_bound)
+            self.assertEqual(repr(one), repr(again))
+        self.assertEqual(many[1].best.scenario, 1)
+        self.assertAlmostEqual(np.divide(*many[1].best.scenario_efforts), 1 / 9)
+
+    def test_best_in_space_is_below_all_samples(self):
+        rng = np.random.default_rng(13)
+        grasp = random_spatial_grasp(rng, 5)
+        answer = poise.best_posture(grasp)
+        self.assertEqual(answer.status, poise.Status.optimal)
+        ups = rng.normal(size=(20_000, 3))
+        self.assertLessEqual(answer.lower_bound, poise.hold_many(grasp, ups).effort.min())
+        self.assertGreater(answer.lower_bound, 0.999 * answer.best.effort)
+        tilted = poise.best_posture(grasp, tilt=poise.Tilt(-answer.best.up, 1), gap=1e-2)
+        if tilted.best is not None:
+            self.assertGreaterEqual(tilted.best.effort, answer.best.effort * (1 - 1e-6))
+            self.assertGreaterEqual(tilted.best.up @ -answer.best.up, np.cos(1) - 1e-9)
+
+    def test_smallest_turn(self):
+        rng = np.random.default_rng(14)
+        for _ in range(20):
+            up, q = rng.normal(size=3), rng.normal(size=4)
+            q /= np.linalg.norm(q)
+            turn = poise.smallest_turn(q, up)
+            before = rotate(q, up / np.linalg.norm(up))
+            np.testing.assert_allclose(rotate(turn, before), [0, 0, 1], atol=1e-12)
+            self.assertAlmostEqual(2 * np.arccos(turn[0]), np.arccos(before[2]))
+
+    def test_cradled(self):
+        low = [poise.Contact([x, 0, 0], [0, 0, 1], 0.5) for x in (-1, 0.5)]
+        low += [poise.Contact([0, y, 0], [0, 0, 1], 0.5) for y in (-1, 1)]
+        grasp = poise.Grasp(poise.Object(1, [0, 0, 1]), low)
+        self.assertTrue(poise.cradled(grasp, [0, 0, 1]))
+        self.assertFalse(poise.cradled(grasp, [0, 0, -1]))
+
+    def test_plot_of_the_sphere(self):
+        import matplotlib
+
+        matplotlib.use("Agg")
+        grasp = random_spatial_grasp(np.random.default_rng(15), 3)
+        best = poise.best_posture(grasp, gap=1e-2)
+        axes = poise.plot(grasp, best=best)
+        half = [image.get_array() for image in axes.images]
+        u, v = 2 * (np.array([150, 90]) + 0.5) / 241 - 1  # a pixel, and its posture by hand
+        scale = math.sqrt(2 - u * u - v * v)
+        for sign, picture in zip((1, -1), half):
+            effort = poise.hold(
+                grasp, [sign * u * scale, v * scale, sign * (1 - u * u - v * v)]
+            ).effort
+            drawn = picture[90, 150]
+            if effort == 0:
+                self.assertTrue(np.ma.is_masked(drawn))
+            else:
+                self.assertAlmostEqual(drawn**2 / effort, 1)
+        self.assertEqual(len(axes.lines), len(best.minima))
+        self.assertEqual(axes.images[0].get_clim()[0], math.sqrt(best.best.effort))
+        self.assertEqual(poise.plot(disk()).get_xlim(), (-180, 180))
+
     def test_plot(self):
         import matplotlib
 
@@ -297,12 +528,44 @@ class Curves(unittest.TestCase):
                 self.assertGreater(file.stat().st_size, 5000)
 
 
+class Records(unittest.TestCase):
+    def test_they_are_those_of_the_program(self):
+        rng = np.random.default_rng(19)
+        grasps = [random_grasp(rng, 3), random_spatial_grasp(rng, 3), disk(0, 0), disk()]
+        values = [poise.to_dict(grasp) for grasp in grasps]
+        values[3]["object"]["weight"] = -1
+        texts = [json.dumps(each) for each in values] + ["", "{"]
+        for flags, options in [
+            ([], {}),
+            (["--gap", "1e-2", "--max-holds", "20"], {"gap": 1e-2, "max_holds": 20}),
+            (["--domain", "pinched"], {"domain": poise.Domain.pinched}),
+            (["--what", "hold", "--up", "1,-2,0.5"], {"hold": True, "up": [1, -2, 0.5]}),
+            (["--what", "hold", "--angle", "20"], {"hold": True, "angle_deg": 20}),
+        ]:
+            run = subprocess.run(
+                [PROGRAM, "batch", "-", *flags],
+                input="\n".join(texts).encode(),
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+            )
+            own = [poise.answer_record(text, k, **options) for k, text in enumerate(texts)]
+            self.assertEqual("".join(own), run.stdout.decode())
+        with self.assertRaises(poise.InvalidGrasp):
+            poise.answer_record(texts[0], 0, hold=True, up=[0, 0])
+
+
+def rotate(q, v):
+    """The vector v turned by the quaternion w, x, y, z."""
+    w, axis = q[0], q[1:]
+    return v + 2 * np.cross(axis, np.cross(axis, v) + w * v)
+
+
 class Files(unittest.TestCase):
     def test_round_trip(self):
         with tempfile.TemporaryDirectory() as directory:
             copy = Path(directory, "copy.yaml")
-            for name in ["l-part", "ito-fig6", "hexagon-three-fingers"]:
-                file = poise.load(ROOT / "examples" / f"{name}.yaml")
+            for name in sorted((ROOT / "examples").glob("*.yaml")):
+                file = poise.load(name)
                 poise.save(file, copy)
                 again = poise.load(copy)
                 self.assertEqual(poise.to_dict(file), poise.to_dict(again))
@@ -356,10 +619,46 @@ class Files(unittest.TestCase):
             with self.assertRaises(poise.FileError):
                 poise.load(Path(directory, "none.yaml"))
 
-    def test_space_is_refused(self):
-        with self.assertRaises(poise.FileError) as caught:
-            poise.load(ROOT / "examples" / "bottle.yaml")
-        self.assertEqual(caught.exception.path, "dimension")
+    def test_all_keys_in_space(self):
+        soft = poise.Contact([1, 0, 0], [-1, 0, 0], 0.5, 0.25, 8, 0.75, "thumb", 0.125)
+        for shape in [
+            poise.Box([1, 2, 3]),
+            poise.Cylinder(1.0, 2.0),
+            poise.Sphere(1.0),
+            poise.Ellipsoid([1, 2, 3]),
+        ]:
+            file = poise.GraspFile(
+                [poise.Object(3.5, [0.1, 0.2, 0.3]), poise.Object(2, [0, 0, 0])],
+                [soft],
+                shape=shape,
+                up=np.array([0, 0, 1.0]),
+                tilt=poise.Tilt([0, 1, 0], 0.5),
+            )
+            again = poise.from_dict(poise.to_dict(file))
+            again.warnings = []
+            again.tilt.most = round(again.tilt.most, 12)
+            self.assertEqual(repr(again), repr(file))
+            self.assertEqual(len(file.grasps()), 2)
+            with self.assertRaises(poise.InvalidGrasp):
+                file.grasp()
+
+    def test_pickles(self):
+        rng = np.random.default_rng(16)
+        named = [poise.Contact([1, 0], [-1, 0], 1, finger="1"), poise.Contact([-1, 0], [1, 0], 1)]
+        for grasp in [
+            disk(),
+            poise.Grasp(poise.Object(2), named, safety=2),
+            random_spatial_grasp(rng, 3),
+        ]:
+            again = pickle.loads(pickle.dumps(grasp))
+            self.assertEqual(repr(again), repr(grasp))
+            self.assertEqual(again.finger_of(1), grasp.finger_of(1))
+            up = rng.normal(size=grasp.dimension)
+            efforts = [poise.hold(each, up).effort for each in (again, grasp)]
+            self.assertAlmostEqual(efforts[0], efforts[1], delta=1e-12 * efforts[1])
+        for path in sorted((ROOT / "examples").glob("*.yaml")):
+            file = poise.load(path)
+            self.assertEqual(repr(pickle.loads(pickle.dumps(file))), repr(file))
 
     def test_errors_of_dictionaries_tell_the_path(self):
         for wrong in [-1, math.nan, math.inf, "much", None]:
@@ -393,6 +692,11 @@ class Misuse(unittest.TestCase):
         self.check("contacts[0].normal", poise.Grasp, poise.Object(), [flat])
         line = poise.Contact([0], [0, 1], 0.5)
         self.check("contacts[0].position", poise.Grasp, poise.Object(), [line])
+        apart = poise.Contact([0, 0, 1], [0, 0, -1], 0.5)
+        self.check("object.com", poise.Grasp, poise.Object(), [apart])
+        self.check("contacts[1].position", poise.Grasp, poise.Object(), [down, apart])
+        soft = poise.Contact([0, 1], [0, -1], 0.5, torsion=0.1)
+        self.check("contacts[0].torsion", poise.Grasp, poise.Object(), [soft])
         self.check("safety", poise.Grasp, poise.Object(), [down], safety=0.5)
 
     def test_postures(self):
@@ -405,12 +709,27 @@ class Misuse(unittest.TestCase):
             self.check("force_cap", poise.hold, grasp, [0, 1], force_cap=cap)
             self.check("force_cap", poise.posture_curve, grasp, force_cap=cap)
             self.check("force_cap", poise.best_many, [grasp], force_cap=cap)
-        with self.assertRaises(TypeError):
-            poise.hold(grasp, [0, 1, 2])
+        self.check("up", poise.hold, grasp, [0, 1, 2])
+        self.check("load", poise.hold, grasp, [0, 1], [0, 0, 0])
+        self.check("y", poise.hold, grasp, [0, 1, 0], [0, 0])
         with self.assertRaises(TypeError):
             poise.best_posture(grasp, domain="pinched")
         with self.assertRaises(IndexError):
             grasp.finger_of(2)
+
+    def test_dimensions(self):
+        planar, spatial = disk(), random_spatial_grasp(np.random.default_rng(17), 3)
+        self.check("grasp", poise.posture_curve, spatial)
+        self.check("grasp", poise.cradled, planar, [0, 0, 1])
+        self.check("grasp", poise.best_posture, [planar, planar])
+        self.check("grasp", poise.plot, [spatial, planar])
+        self.check("tilt", poise.best_posture, planar, tilt=poise.Tilt([0, 0, 1], 0.5))
+        self.check("domain", poise.best_posture, spatial, domain=poise.Domain.pinched)
+        self.check("hold", poise.grip_force, planar, poise.hold(spatial, [0, 0, 1]))
+        self.check("ups[0]", poise.hold_many, spatial, [[0, 1], [1, 0]])
+        self.check("gap", poise.best_posture, spatial, gap=0)
+        self.check("tilt.from_", poise.best_posture, spatial, tilt=poise.Tilt([0, 0, 0], 0.5))
+        self.check("orientation", poise.smallest_turn, [0, 0, 0, 0], [0, 0, 1])
 
     def test_reprs(self):
         grasp = disk()
@@ -423,6 +742,12 @@ class Misuse(unittest.TestCase):
         )
         for value in [best, best.curve, best.best.hold, best.curve.arcs[0], best.curve.domain]:
             self.assertRegex(repr(value), r"^\w+\(.*\)$")
+        grasp = random_spatial_grasp(np.random.default_rng(18), 4)
+        best = poise.best_posture(grasp, gap=1e-2)
+        hold = best.best.hold
+        for value in [best, best.best, best.cuts[0], hold, hold.forces[0], poise.Tilt([0, 0, 1], 1)]:
+            self.assertRegex(repr(value), r"^\w+\(.*\)$")
+            self.assertNotIn("object at", repr(value))
 
 
 if __name__ == "__main__":

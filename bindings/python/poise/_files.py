@@ -6,13 +6,30 @@ import json
 import math
 import os
 from dataclasses import dataclass, field
-from typing import Any, Dict, List, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Union
 
 import numpy as np
 
 from . import _core
-from ._errors import FileError
-from ._types import Contact, Disk, Domain, Ellipse, Object, Shape
+from ._errors import FileError, InvalidGrasp
+from ._types import (
+    Box,
+    Contact,
+    Cylinder,
+    Disk,
+    Domain,
+    Ellipse,
+    Ellipsoid,
+    MeshShape,
+    Object,
+    Polygon,
+    Shape,
+    Sphere,
+    Tilt,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -21,19 +38,29 @@ Path = Union[str, "os.PathLike[str]"]
 class GraspFile:
     """What a grasp file says. All in SI units and in the object frame; normals point inwards."""
 
-    object: Object
+    #: In space also a list: its scenarios, which are what it may be.
+    object: Union[Object, Sequence[Object]]
     contacts: Sequence[Contact]
     name: str = ""
-    safety: float = 1.0  #: every friction is divided by it
-    angle: Optional[float] = None  #: theta of the posture in which it is held now [rad]
+    safety: float = 1.0  #: every friction and torsion is divided by it
+    angle: Optional[float] = None  #: plane: theta of the posture in which it is held now [rad]
     domain: Domain = Domain.all
     shape: Optional[Shape] = None
+    up: Optional[NDArray[np.float64]] = None  #: space: the posture in which it is held now (3,)
+    tilt: Optional[Tilt] = None  #: space: the postures to choose from; None: all
     #: What is allowed but looks like a mistake: "FILE:LINE:COLUMN: path: words".
     warnings: List[str] = field(default_factory=list)
 
     def grasp(self) -> _core.Grasp:
-        """The grasp, checked and prepared."""
+        """The grasp, checked and prepared. Raises InvalidGrasp where there are scenarios."""
+        if not isinstance(self.object, Object):
+            raise InvalidGrasp("object", "has scenarios, ask for grasps()")
         return _core.Grasp(self.object, self.contacts, self.safety)
+
+    def grasps(self) -> List[_core.Grasp]:
+        """The grasp of each scenario; of one where there are none."""
+        scenarios = [self.object] if isinstance(self.object, Object) else self.object
+        return [_core.Grasp(each, self.contacts, self.safety) for each in scenarios]
 
 
 def load(file: Path) -> GraspFile:
@@ -67,7 +94,7 @@ def to_dict(grasp: Union[GraspFile, _core.Grasp]) -> Dict[str, Any]:
         if isinstance(grasp, GraspFile)
         else GraspFile(grasp.object, grasp.contacts)
     )
-    values: Dict[str, Any] = {"poise": 1, "dimension": len(file.object.com)}
+    values: Dict[str, Any] = {"poise": 1, "dimension": len(file.contacts[0].position)}
     if file.name:
         values["name"] = file.name
     if file.safety != 1:
@@ -76,19 +103,37 @@ def to_dict(grasp: Union[GraspFile, _core.Grasp]) -> Dict[str, Any]:
         values["angle_deg"] = math.degrees(file.angle)
     if file.domain != Domain.all:
         values["domain"] = file.domain.value
-    values["object"] = {"weight": file.object.weight, "com": file.object.com.tolist()}
+    if file.up is not None:
+        values["up"] = np.asarray(file.up).tolist()
+    if file.tilt is not None:
+        tilt = {"from": file.tilt.from_.tolist(), "max_deg": math.degrees(file.tilt.most)}
+        values["tilt"] = tilt
+    if isinstance(file.object, Object):
+        values["object"] = _object(file.object)
+    else:
+        values["object"] = {"scenarios": [_object(each) for each in file.object]}
     if file.shape is not None:
         values["object"]["shape"] = _shape(file.shape)
     values["contacts"] = [_contact(contact) for contact in file.contacts]
     return values
 
 
+def _object(object: Object) -> Dict[str, Any]:
+    return {"weight": object.weight, "com": object.com.tolist()}
+
+
 def _shape(shape: Shape) -> Dict[str, Any]:
-    if isinstance(shape, Disk):
-        return {"disk": {"radius": shape.radius}}
-    if isinstance(shape, Ellipse):
-        return {"ellipse": {"radii": shape.radii.tolist()}}
-    return {"polygon": shape.vertices.tolist()}
+    if isinstance(shape, Polygon):
+        return {"polygon": shape.vertices.tolist()}
+    if isinstance(shape, Box):
+        return {"box": {"size": shape.size.tolist()}}
+    if isinstance(shape, Cylinder):
+        return {"cylinder": {"radius": shape.radius, "height": shape.height}}
+    if isinstance(shape, MeshShape):
+        return {"mesh": {"file": shape.file, "scale": shape.scale}}
+    if isinstance(shape, (Ellipse, Ellipsoid)):
+        return {type(shape).__name__.lower(): {"radii": shape.radii.tolist()}}
+    return {type(shape).__name__.lower(): {"radius": shape.radius}}
 
 
 def _contact(contact: Contact) -> Dict[str, Any]:
@@ -105,6 +150,8 @@ def _contact(contact: Contact) -> Dict[str, Any]:
         values["share"] = contact.share
     if contact.finger:
         values["finger"] = contact.finger
+    if contact.torsion != 0:
+        values["torsion"] = contact.torsion
     return values
 
 

@@ -45,6 +45,14 @@ class Kind(enum.Enum):
     smooth = "smooth"
 
 
+class Status(enum.Enum):
+    """Of the best posture in space."""
+
+    optimal = "optimal"  #: it is within the wanted gap
+    gap = "gap"  #: it is not, or nothing holdable was found and that nothing is was not proven
+    unholdable = "unholdable"  #: proven: no posture of the domain can be held
+
+
 class Domain(enum.Enum):
     """Postures to choose from: all of them, or those where the object is not cradled."""
 
@@ -60,7 +68,7 @@ class Object:
     """A rigid body of which only the weight and the centre of mass matter.
 
     weight: [N], > 0
-    com: centre of mass (2,) [m], object frame
+    com: centre of mass (2,) or (3,) [m], object frame
     """
 
     def __init__(self, weight: float = 1.0, com: ArrayLike = (0.0, 0.0)) -> None:
@@ -75,15 +83,18 @@ class Contact:
     """A contact with Coulomb friction.
 
     The force of the finger on the object is given in the contact frame: the normal force along
-    the inward normal n, and the tangential force along n turned by +90 degrees.
+    the inward normal n, and the tangential force, in the plane one number along n turned by +90
+    degrees. A soft finger also passes on a moment m about n: (|t| / mu)^2 + (m / gamma)^2 <= n^2,
+    and in the effort m counts as the force m mu / gamma.
 
-    position: (2,) [m], object frame
-    normal: (2,), from the finger into the object; any length but 0
+    position: (2,), in space (3,) [m], object frame
+    normal: (2,) or (3,), from the finger into the object; any length but 0
     friction: coefficient mu >= 0; 0 is a frictionless contact
     min_normal, max_normal: least and greatest normal force [N], >= 0
     share: the part of a pad that this contact stands for, in (0, 1]: its force counts as
         |f|^2 / share
     finger: label; left empty, the contact is a finger of its own
+    torsion: gamma [m], >= 0, in space only: above 0 the finger is soft. Needs friction
     """
 
     def __init__(
@@ -95,6 +106,7 @@ class Contact:
         max_normal: float = math.inf,
         share: float = 1.0,
         finger: str = "",
+        torsion: float = 0.0,
     ) -> None:
         self.position = _vector(position)
         self.normal = _vector(normal)
@@ -103,6 +115,7 @@ class Contact:
         self.max_normal = float(max_normal)
         self.share = float(share)
         self.finger = finger
+        self.torsion = float(torsion)
 
     def __repr__(self) -> str:
         words = [
@@ -118,6 +131,8 @@ class Contact:
             words.append(f"share={self.share!r}")
         if self.finger:
             words.append(f"finger={self.finger!r}")
+        if self.torsion != 0:
+            words.append(f"torsion={self.torsion!r}")
         return f"Contact({', '.join(words)})"
 
 
@@ -154,4 +169,68 @@ class Polygon:
         return f"Polygon(vertices={self.vertices.tolist()})"
 
 
-Shape = Union[Disk, Ellipse, Polygon]
+class Box:
+    """Centred at the object frame's origin, its edges along the axes.
+
+    size: lengths of its edges along x, y and z (3,) [m]
+    """
+
+    def __init__(self, size: ArrayLike) -> None:
+        self.size = _vector(size)
+
+    def __repr__(self) -> str:
+        return f"Box(size={self.size.tolist()})"
+
+
+@dataclass
+class Cylinder:
+    """Centred at the object frame's origin, its axis along z."""
+
+    radius: float  #: [m]
+    height: float  #: [m]
+
+
+@dataclass
+class Sphere:
+    """Centred at the object frame's origin."""
+
+    radius: float  #: [m]
+
+
+class Ellipsoid:
+    """Centred at the object frame's origin, its axes along x, y and z.
+
+    radii: semi-axes along x, y and z (3,) [m]
+    """
+
+    def __init__(self, radii: ArrayLike) -> None:
+        self.radii = _vector(radii)
+
+    def __repr__(self) -> str:
+        return f"Ellipsoid(radii={self.radii.tolist()})"
+
+
+@dataclass
+class MeshShape:
+    """A body bounded by a mesh that is read from a file."""
+
+    file: str
+    scale: float = 1.0  #: metres for one of its units
+
+
+Shape = Union[Disk, Ellipse, Polygon, Box, Cylinder, Sphere, Ellipsoid, MeshShape]
+
+
+class Tilt:
+    """Postures in space to choose from: up at most an angle away from a given direction.
+
+    from_: direction (3,) of any length but 0, object frame
+    most: [rad], 0 to pi/2
+    """
+
+    def __init__(self, from_: ArrayLike, most: float) -> None:
+        self.from_ = _vector(from_)
+        self.most = float(most)
+
+    def __repr__(self) -> str:
+        return f"Tilt(from_={self.from_.tolist()}, most={self.most!r})"
