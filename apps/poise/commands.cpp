@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "files/grasp_writer.hpp"
 #include "files/result.hpp"
 #include "files/spatial.hpp"
 #include "paper.hpp"
@@ -92,7 +93,7 @@ Answer answer_in(const PlanarFile& file, const Arguments& arguments) {
     case Command::best:
       return answer_best(arguments, file, grasp, settings);
     case Command::view:
-      return {view(file, arguments.page)};
+      return {view(grasp_document(file), arguments.page)};
     default:
       return answer_curve(arguments, file, grasp, settings);
   }
@@ -146,14 +147,13 @@ Answer answer_in(const SpatialFile& file, const Arguments& arguments) {
   if (arguments.command == Command::curve)
     throw UsageError("curve: is for the plane, " + in_space +
                      ", where postures make no curve: ask for best");
-  if (arguments.command == Command::view)
-    throw UsageError("view: is for the plane, " + in_space + ", which the page does not show yet");
   if (arguments.angle_deg)
     throw UsageError("--angle: is for the plane, " + in_space + ": give --up X,Y,Z");
   if (arguments.up.size() == 2) throw UsageError("--up: has 2 numbers, must have 3: " + in_space);
   if (arguments.domain.value_or(Domain::all) == Domain::pinched)
     throw UsageError("--domain: pinched is for the plane, " + in_space +
                      ", where best_pinched is shown anyway");
+  if (arguments.command == Command::view) return {view(grasp_document(file), arguments.page)};
   const std::vector<Grasp<3>> grasps = file.grasps();
   if (arguments.command == Command::check)
     return {arguments.json ? check_document(file, grasps)

@@ -5,7 +5,6 @@
 #include <sstream>
 #include <system_error>
 
-#include "files/grasp_writer.hpp"
 #include "plot.hpp"
 
 namespace poise {
@@ -33,9 +32,9 @@ std::string empty_page() {
 }
 
 /// The grasp as JSON that cannot end the script element it stands in, whatever its names are.
-std::string within_page(const PlanarFile& file) {
+std::string within_page(const std::string& grasp) {
   std::string text;
-  for (const char c : grasp_document(file)) {
+  for (const char c : grasp) {
     if (c == '<')
       text += "\\u003c";
     else
@@ -46,11 +45,11 @@ std::string within_page(const PlanarFile& file) {
 
 }  // namespace
 
-std::string view(const PlanarFile& file, const std::string& page) {
+std::string view(const std::string& grasp, const std::string& page) {
   std::string text = empty_page();
   const std::size_t at = text.find(std::string(before) + std::string(empty));
   if (at == std::string::npos) throw OutputError("the page has no place for a grasp");
-  text.replace(at + before.size(), std::string_view("null").size(), within_page(file));
+  text.replace(at + before.size(), std::string_view("null").size(), within_page(grasp));
   write_file(text, page);
   return "Wrote " + page + ": open it in a browser.\n";
 }

@@ -164,20 +164,6 @@ Json holdable_arcs(const PostureCurve& curve) {
   return result;
 }
 
-/// As it is written in a grasp file, in metres.
-Json shape_value(const Solid& solid) {
-  if (const auto* box = std::get_if<Box>(&solid)) return {{"box", {{"size", list(box->size)}}}};
-  if (const auto* cylinder = std::get_if<Cylinder>(&solid))
-    return {{"cylinder", {{"radius", cylinder->radius}, {"height", cylinder->height}}}};
-  if (const auto* sphere = std::get_if<Sphere>(&solid))
-    return {{"sphere", {{"radius", sphere->radius}}}};
-  return {{"ellipsoid", {{"radii", list(std::get<Ellipsoid>(solid).radii)}}}};
-}
-
-Json tilt_value(const Tilt& tilt) {
-  return {{"from", list(tilt.from)}, {"max_deg", degrees(tilt.most)}};
-}
-
 Json quaternion(const Eigen::Quaterniond& q) {
   return {{"w", number(q.w())}, {"x", number(q.x())}, {"y", number(q.y())}, {"z", number(q.z())}};
 }

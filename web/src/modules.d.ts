@@ -12,6 +12,12 @@ declare module 'virtual:core' {
   export default text;
 }
 
+/** A script as a worker, within the page. */
+declare module '*?worker&inline' {
+  const Inlined: new () => Worker;
+  export default Inlined;
+}
+
 /** A grasp file of examples/, as JSON. */
 declare module '@examples/*' {
   const grasp: import('./grasp').Grasp;

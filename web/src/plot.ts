@@ -3,7 +3,7 @@ import type { Kind, Optimum, Range } from './core';
 import { contains, effortOn, onAxis, samples } from './curve';
 import type { Point } from './grasp';
 import { alphas, asPaper } from './paper';
-import type { Model } from './state';
+import type { PlanarModel } from './state';
 import { draggable, keySteps, line, node, path, place, set, text } from './svg';
 import { degrees, plain, wrapped } from './words';
 
@@ -26,7 +26,7 @@ export class Plot {
 
   constructor(
     parent: HTMLElement,
-    private readonly model: Model,
+    private readonly model: PlanarModel,
   ) {
     this.picture.append(
       node(
