@@ -1,8 +1,9 @@
 import './style.css';
 import packed from 'virtual:core';
 import { BodyView } from './body';
-import { start, type AnyHold } from './core';
-import type { Grasp, PlanarGrasp, SpatialGrasp } from './grasp';
+import { BadGrasp, read, start, type AnyHold } from './core';
+import { asPng, asSvg, fileName, fromLink, keep, toLink, yaml, type Picture } from './files';
+import type { Grasp, PlanarGrasp, SpatialGrasp, Vec } from './grasp';
 import { drawMinima, drawSpatialMinima, PlanarControls, SpatialControls } from './panel';
 import { asPaper } from './paper';
 import { Plot } from './plot';
@@ -29,7 +30,15 @@ interface Sheet<Kind extends Grasp> {
   /** @throws BadGrasp, and nothing changes. */
   load(grasp: Kind): void;
   draw(): void;
+  /** The grasp as it is shown, in its posture. */
+  current(): Kind;
+  pictures(): Picture[];
+  /** To a posture as results tell it, and the effort that it needs there. */
+  turnTo(posture: { angle_deg?: number; up: readonly number[] }): number | undefined;
 }
+
+/** What is said of a file or a link, until something else is done. */
+let notice = { text: '', bad: false };
 
 function paragraphs(words: string[]): HTMLElement[] {
   return words.map((each) => {
@@ -45,8 +54,8 @@ function drawWords(at: string, hold: AnyHold, reasons: string[], problem: string
     : `At ${at} it cannot be held`;
   find('verdict').classList.toggle('not-held', !hold.holdable);
   find('why').replaceChildren(...paragraphs(reasons));
-  find('problem').textContent = problem || warnings.map((line) => line.replace(/^\S+: /, '')).join(' ');
-  find('problem').classList.toggle('bad', problem !== '');
+  find('problem').textContent = notice.text || problem || warnings.map((line) => line.replace(/^\S+: /, '')).join(' ');
+  find('problem').classList.toggle('bad', notice.text ? notice.bad : problem !== '');
 }
 
 class PlaneSheet implements Sheet<PlanarGrasp> {
@@ -88,6 +97,21 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
     this.controls.forget();
   }
 
+  current(): PlanarGrasp {
+    const { grasp, angle, domain } = this.model;
+    return { ...structuredClone(grasp), angle_deg: angle, ...(domain === 'pinched' && { domain }) };
+  }
+
+  pictures(): Picture[] {
+    return [{ overlay: this.scene.picture }, { overlay: this.plot.picture }];
+  }
+
+  turnTo({ angle_deg }: { angle_deg?: number }): number | undefined {
+    if (angle_deg === undefined) return undefined;
+    this.model.turnTo(angle_deg);
+    return this.model.effortAt(angle_deg);
+  }
+
   draw(): void {
     const { answers, angle, problem } = this.model;
     this.scene.draw();
@@ -127,6 +151,20 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
     this.controls.forget();
   }
 
+  current(): SpatialGrasp {
+    return { ...structuredClone(this.model.grasp), up: this.model.up };
+  }
+
+  pictures(): Picture[] {
+    return [this.scene.image, this.sphere.image, { overlay: this.sphere.legend }];
+  }
+
+  turnTo({ up }: { up: readonly number[] }): number | undefined {
+    if (up?.length !== 3) return undefined;
+    this.model.turnTo(up as unknown as Vec);
+    return this.model.effortAt(up as unknown as Vec);
+  }
+
   draw(): void {
     const { answers, found, up, problem, outdated } = this.model;
     this.scene.draw();
@@ -164,24 +202,135 @@ function show(grasp: Grasp): void {
 
 /** The grasp that `poise view` wrote into the page. */
 const given: Grasp | null = JSON.parse(find('grasp').textContent ?? 'null');
-const all = new Map(presets.flatMap(({ grasps }) => grasps.map(({ label, grasp }) => [label, grasp])));
-
+const all = presets.flatMap(({ grasps }) => grasps);
 const select = find<HTMLSelectElement>('preset');
-if (given) {
-  const label = given.name ?? 'your grasp';
-  select.append(new Option(label, '', true, true));
-  document.title = `${label} – Poise`;
-}
 for (const { group, grasps } of presets) {
   const options = document.createElement('optgroup');
   options.label = group;
-  options.append(...grasps.map(({ label }) => new Option(label, label, !given && label === first, !given && label === first)));
+  options.append(...grasps.map(({ label }) => new Option(label, String(all.findIndex((each) => each.label === label)))));
   select.append(options);
 }
-const chosen = () => (select.value ? all.get(select.value)! : given!);
+const chosen = () => all[Number(select.value)]!.grasp;
+
+/** Shows a grasp from elsewhere, which can be chosen again. */
+function offer(grasp: Grasp, label: string): void {
+  show(grasp);
+  const index = all.push({ label, grasp }) - 1;
+  select.prepend(new Option(label, String(index), true, true));
+  select.value = String(index);
+  document.title = `${label} – Poise`;
+}
+
+function say(text: string, bad = false): void {
+  notice = { text, bad };
+  sheet?.draw();
+  if (text) find('problem').scrollIntoView({ block: 'nearest' });
+}
+
+/** Opens a grasp file or a result; a bad one changes nothing, and the words are the command line's. */
+function open(bytes: Uint8Array, name: string): void {
+  try {
+    const result = resultIn(bytes);
+    if (result) return void say(follow(result, name), true);
+    const grasp = read(bytes, name);
+    offer(grasp, grasp.name ?? name);
+    say('');
+  } catch (error) {
+    if (!(error instanceof BadGrasp)) throw error;
+    say(error.message, true);
+  }
+}
+
+interface Result {
+  poise_result: number;
+  up?: readonly number[];
+  angle_deg?: number;
+  effort?: number;
+  best?: { up: readonly number[]; angle_deg?: number; effort: number } | null;
+}
+
+function resultIn(bytes: Uint8Array): Result | undefined {
+  try {
+    const found = JSON.parse(new TextDecoder().decode(bytes));
+    return typeof found?.poise_result === 'number' ? found : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+/** Turns the object as a result says; words where it does not fit what is shown. */
+function follow(result: Result, name: string): string {
+  const posture = result.best ?? result;
+  if (!Array.isArray(posture.up) || !sheet) return `${name}: is a result without a posture to show`;
+  const { up, angle_deg, effort } = posture;
+  const here = sheet.turnTo({ up, ...(typeof angle_deg === 'number' && { angle_deg }) });
+  const fits = here === effort || (here !== undefined && effort !== undefined && Math.abs(here - effort) < 1e-6 * effort);
+  if (fits) return '';
+  const needs = (value: number | undefined) => (value === undefined ? 'cannot be held' : `needs ${plain(value)} N²`);
+  return `${name}: is of another grasp than the one that is shown: there its posture ${needs(effort)}, here it ${needs(here)}`;
+}
+
+/** More than is ever read is not needed to refuse it. */
+const most = 2 ** 20 + 8;
+const openFile = async (file: File | undefined) => {
+  if (file) open(new Uint8Array(await (file.size > most && !file.name.endsWith('.json') ? file.slice(0, most) : file).arrayBuffer()), file.name);
+};
+
+async function openLink(): Promise<boolean> {
+  const bytes = await fromLink(location.hash);
+  if (bytes) open(bytes, 'link');
+  return bytes !== undefined;
+}
+
+async function save(as: string): Promise<void> {
+  const grasp = sheet!.current();
+  const name = fileName(grasp);
+  if (as === 'yaml') keep(yaml(grasp), 'application/yaml', `${name}.yaml`);
+  if (as === 'json') keep(`${JSON.stringify(grasp, null, 2)}\n`, 'application/json', `${name}.json`);
+  if (as === 'svg') keep(asSvg(sheet!.pictures()).text, 'image/svg+xml', `${name}.svg`);
+  if (as === 'png') keep(await asPng(sheet!.pictures()), 'image/png', `${name}.png`);
+  if (as !== 'link') return;
+  history.replaceState(null, '', `#${await toLink(grasp)}`);
+  const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+  say(`The address of this page now holds the grasp${copied ? ', and is copied' : ''}.`);
+}
+
 select.addEventListener('change', () => show(chosen()));
 find('reset').addEventListener('click', () => show(chosen()));
+find('open').addEventListener('click', () => find('file').click());
+find<HTMLInputElement>('file').addEventListener('change', async ({ target }) => {
+  const input = target as HTMLInputElement;
+  await openFile(input.files?.[0]);
+  input.value = '';
+});
+const menu = find<HTMLDetailsElement>('save');
+for (const button of menu.querySelectorAll('button'))
+  button.addEventListener('click', () => {
+    menu.open = false;
+    void save(button.dataset.as!);
+  });
+addEventListener('keydown', ({ key }) => key === 'Escape' && (menu.open = false));
+addEventListener('pointerdown', ({ target }) => menu.contains(target as Node) || (menu.open = false));
+// What was said of a file is over as soon as something else is done.
+for (const kind of ['pointerdown', 'input', 'change'])
+  document.addEventListener(kind, () => notice.text && say(''), { capture: true });
+addEventListener('hashchange', () => void openLink());
+addEventListener('dragover', (event) => {
+  event.preventDefault();
+  document.body.classList.add('dropping');
+});
+addEventListener('dragleave', () => document.body.classList.remove('dropping'));
+addEventListener('drop', (event) => {
+  event.preventDefault();
+  document.body.classList.remove('dropping');
+  void openFile(event.dataTransfer?.files[0]);
+});
 
-show(chosen());
+if (given) offer(given, given.name ?? 'your grasp');
+else {
+  select.value = String(all.findIndex(({ label }) => label === first));
+  show(chosen());
+}
+await openLink();
 new ResizeObserver(() => sheet?.draw()).observe(document.body);
 document.body.dataset.ready = '1';

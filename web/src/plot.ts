@@ -17,7 +17,7 @@ const margin = { left: 58, right: 16, top: 14, bottom: 38 };
 
 export class Plot {
   readonly view: View = { squared: false, logarithmic: false, bounds: false };
-  private readonly picture = node('svg', { 'aria-label': 'The least effort over all postures' });
+  readonly picture = node('svg', { 'aria-label': 'The least effort over all postures' });
   private readonly layers = node('g', { class: 'passive' });
   private readonly area = node('rect', { class: 'area' });
   private readonly marks = node('g');

@@ -34,7 +34,7 @@ class Placement {
 }
 
 export class Scene {
-  private readonly picture: SVGSVGElement;
+  readonly picture: SVGSVGElement;
   private readonly back = node('g');
   private readonly body = node('path', { class: 'body', tabindex: 0, role: 'slider' });
   private readonly cones = node('g', { class: 'passive' });

@@ -134,6 +134,11 @@ export class SpatialModel {
     this.changed(true);
   }
 
+  effortAt(posture: Vec): number | undefined {
+    const hold = askSpatial('hold', this.answers.grasp, { up: posture });
+    return hold.holdable ? hold.effort : undefined;
+  }
+
   /** The minimum that a posture is, within an angle [rad]. */
   minimum(posture: Vec, within = 1e-7): Held<Vec> | undefined {
     if (this.outdated) return undefined;

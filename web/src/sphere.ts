@@ -28,7 +28,7 @@ export class SphereView {
   certificate = false;
   private readonly canvas: Canvas;
   private readonly picture: SVGSVGElement;
-  private readonly legend = node('svg', { class: 'legend', role: 'img' });
+  readonly legend = node('svg', { class: 'legend', role: 'img' });
   private readonly ground = node('circle', { class: 'area', tabindex: 0, role: 'application' });
   private readonly marks = node('g');
   private eye!: Eye;

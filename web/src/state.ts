@@ -68,6 +68,11 @@ export class PlanarModel {
     this.changed(true);
   }
 
+  effortAt(angle: number): number | undefined {
+    const hold = ask('hold', this.answers.grasp, { angle_deg: angle });
+    return hold.holdable ? hold.effort : undefined;
+  }
+
   /** The optimum within half a degree of a posture: exact, where a hand is not. */
   snapped(angle: number, within: number): number {
     const near = this.answers.curve.optima.find(
