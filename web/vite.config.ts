@@ -1,7 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
-import { defineConfig, type Plugin } from 'vite';
+import type { Plugin } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
+import { defineConfig } from 'vitest/config';
 
 const built = (path: string) => new URL(`../build/${path}`, import.meta.url).pathname;
 
@@ -20,5 +21,6 @@ export default defineConfig({
   base: './',
   build: { target: 'es2022', rolldownOptions: { input: 'playground.html' } },
   resolve: { alias: { '@core': built('wasm/poise.mjs'), '@examples': built('fixtures') } },
+  test: { include: ['test/*.test.ts'] },
   plugins: [coreAsText, viteSingleFile()],
 });

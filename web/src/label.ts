@@ -17,7 +17,7 @@ export function apart<Kind extends Label>(labels: Kind[]): Kind[] {
           Math.abs(other.at[0] - label.at[0]) >= (other.width + label.width) / 2 ||
           Math.abs(other.at[1] - y) >= (other.height + label.height) / 2,
       );
-    const steps = Array.from({ length: 40 }, (_, k) => label.at[1] + (k % 2 ? 4 : -4) * Math.ceil(k / 2));
+    const steps = Array.from({ length: 120 }, (_, k) => label.at[1] + (k % 2 ? 4 : -4) * Math.ceil(k / 2));
     placed.push({ ...label, at: [label.at[0], steps.find(free) ?? label.at[1]] });
   }
   return placed;

@@ -7,7 +7,7 @@ export function rounds(low: number, high: number): number[] {
     if (found.length >= 3 && found.length <= 9) return found;
   }
   // Nearly equal: even steps.
-  const rough = (high - low) / 4;
+  const rough = (high - low) / 4.01;
   const unit = 10 ** Math.floor(Math.log10(rough));
   const step = unit * ([1, 2, 5, 10].find((k) => k * unit >= rough) ?? 10);
   const first = Math.floor(low / step) + 1;
