@@ -7,8 +7,14 @@ import { pathToFileURL } from 'node:url';
 const [module, fixtures, examples] = process.argv.slice(2);
 const { default: create } = await import(pathToFileURL(module));
 const core = await create({ wasmBinary: readFileSync(module.replace('.mjs', '.wasm')) });
-const answer = (request) =>
-  JSON.parse(core.ccall('poise_answer', 'string', ['string'], [JSON.stringify(request)]));
+function answer(request) {
+  const bytes = Buffer.from(`${JSON.stringify(request)}\0`);
+  const at = core._malloc(bytes.length);
+  core.HEAPU8.set(bytes, at);
+  const found = core._poise_answer(at);
+  core._free(at);
+  return JSON.parse(Buffer.from(core.HEAPU8.subarray(found, core.HEAPU8.indexOf(0, found))));
+}
 const read = (file) => JSON.parse(readFileSync(`${fixtures}/${file}`, 'utf8'));
 
 let compared = 0;
@@ -98,6 +104,7 @@ const digits = (text) => Buffer.from(text).toString('hex');
 const file = (text) => answer({ command: 'read', file: 'part.yaml', bytes: digits(text) });
 const yaml = readFileSync(`${examples}/l-part.yaml`);
 compare(file(yaml), read('l-part.grasp.json'), 'l-part.yaml');
+expect(file('x'.repeat(2 ** 20 + 1)).error.message === 'part.yaml: is larger than 1048576 bytes, the most that is read', 'too large');
 const message = (text) => file(text).error?.message;
 expect(answer({ command: 'read', file: 'part.yaml' }).error.message === 'part.yaml: is empty, must be a grasp file', 'an empty file');
 expect(message('poise: 1\ndimension: 2\nobject: {weight: 10, com: [0, 0}\n') === 'part.yaml:3:32: is not YAML: illegal flow end', 'not YAML');

@@ -146,7 +146,12 @@ export async function start(wasm: ArrayBuffer): Promise<void> {
 
 /** The answer, or the words for what is wrong with the request. */
 function answer(request: unknown, words: (error: { path: string; problem: string; message: string }) => string) {
-  const found = JSON.parse(core.ccall('poise_answer', 'string', ['string'], [JSON.stringify(request)]));
+  const bytes = new TextEncoder().encode(`${JSON.stringify(request)}\0`);
+  const at = core._malloc(bytes.length);
+  core.HEAPU8.set(bytes, at);
+  const text = core._poise_answer(at);
+  core._free(at);
+  const found = JSON.parse(new TextDecoder().decode(core.HEAPU8.subarray(text, core.HEAPU8.indexOf(0, text))));
   if (found.error) throw new BadGrasp(words(found.error));
   return found;
 }

@@ -64,6 +64,8 @@ export const fileName = (grasp: Grasp) =>
 export interface Picture {
   overlay: SVGSVGElement;
   canvas?: HTMLCanvasElement;
+  /** What it is read by, to be put beneath. */
+  legend?: SVGSVGElement;
 }
 
 /** Pictures side by side as one SVG, with the colours and the typeface of the page. */
@@ -73,17 +75,24 @@ export function asSvg(pictures: Picture[]): { text: string; width: number; heigh
   const names = new Set(rules.match(/--[a-z]+/g));
   const colours = [...names].map((name) => `${name}:${style.getPropertyValue(name)}`).join(';');
   const boxes = pictures.map(({ overlay }) => overlay.getBoundingClientRect());
+  const edge = pictures.some(({ legend }) => legend) ? 56 : 24;
   const width = boxes.reduce((sum, box) => sum + box.width + 24, 24);
-  const height = Math.max(...boxes.map((box) => box.height)) + 48;
+  const height = Math.max(...boxes.map((box) => box.height)) + 2 * edge;
   let left = 24;
-  const parts = pictures.map(({ overlay, canvas }, k) => {
+  const parts = pictures.map(({ overlay, canvas, legend }, k) => {
     const { width: w, height: h } = boxes[k]!;
     const top = (height - h) / 2;
     const image = canvas ? `<image x="${left}" y="${top}" width="${w}" height="${h}" href="${canvas.toDataURL()}"/>` : '';
-    const copy = overlay.cloneNode(true) as SVGSVGElement;
-    for (const [name, value] of Object.entries({ x: left, y: top, width: w, height: h })) copy.setAttribute(name, String(value));
+    const placed = (picture: SVGSVGElement, box: Record<string, number>) => {
+      const copy = picture.cloneNode(true) as SVGSVGElement;
+      for (const [name, value] of Object.entries(box)) copy.setAttribute(name, String(value));
+      return new XMLSerializer().serializeToString(copy);
+    };
+    const drawn = image + placed(overlay, { x: left, y: top, width: w, height: h });
+    const below = legend?.getBoundingClientRect();
+    const key = below ? placed(legend!, { x: left + (w - below.width) / 2, y: top + h, width: below.width, height: below.height }) : '';
     left += w + 24;
-    return image + new XMLSerializer().serializeToString(copy);
+    return drawn + key;
   });
   const escaped = rules.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
   const font = `font: 14px ${getComputedStyle(document.body).fontFamily.replaceAll('"', "'")}`;

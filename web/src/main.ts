@@ -156,7 +156,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
   }
 
   pictures(): Picture[] {
-    return [this.scene.image, this.sphere.image, { overlay: this.sphere.legend }];
+    return [this.scene.image, { ...this.sphere.image, legend: this.sphere.legend }];
   }
 
   turnTo({ up }: { up: readonly number[] }): number | undefined {

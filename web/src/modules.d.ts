@@ -1,7 +1,11 @@
 /** The WebAssembly core as emscripten writes it. */
 declare module '@core' {
   export interface Core {
-    ccall(name: 'poise_answer', result: 'string', types: ['string'], values: [string]): string;
+    HEAPU8: Uint8Array<ArrayBuffer>;
+    _malloc(size: number): number;
+    _free(at: number): void;
+    /** JSON in, JSON out: texts that end with a 0. */
+    _poise_answer(request: number): number;
   }
   export default function create(options: { wasmBinary: ArrayBuffer }): Promise<Core>;
 }

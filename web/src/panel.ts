@@ -148,7 +148,7 @@ abstract class Controls<Model extends Held> {
         html('td', { class: 'number' }),
       );
     });
-    const heads = ['finger', 'friction μ', ...(soft ? ['torsion m'] : []), 'least [N]', 'most [N]', 'normal', 'used'];
+    const heads = ['finger', 'friction μ', ...(soft ? ['torsion [m]'] : []), 'least [N]', 'most [N]', 'normal', 'used'];
     return html('div', { class: 'scroll' },
       html('table', { class: soft ? 'soft' : '' },
         html('thead', {}, html('tr', {}, ...heads.map((head) => html('th', { scope: 'col' }, head)))),

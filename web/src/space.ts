@@ -27,6 +27,7 @@ export interface Ball {
 }
 
 const up: Vec = [0, 0, 1];
+const found = 2e-5;
 
 export class SpatialModel {
   grasp: SpatialGrasp;
@@ -139,8 +140,8 @@ export class SpatialModel {
     return hold.holdable ? hold.effort : undefined;
   }
 
-  /** The minimum that a posture is, within an angle [rad]. */
-  minimum(posture: Vec, within = 1e-7): Held<Vec> | undefined {
+  /** The minimum that a posture is, within an angle [rad]: as exact as minima are found. */
+  minimum(posture: Vec, within = found): Held<Vec> | undefined {
     if (this.outdated) return undefined;
     return this.found.best?.minima.find((each) => angle(each.up, posture) <= within);
   }

@@ -128,7 +128,7 @@ function steepest(model: SpatialModel, hold: Held<Vec>): string {
 
 function comparedInSpace(model: SpatialModel, { best, best_pinched, status, relative_gap, holds }: SpatialBest): string {
   if (!best) return '';
-  const here = (each: Held<Vec>) => between(each.up, model.up) < 1e-7;
+  const here = (each: Held<Vec>) => model.minimum(model.up)?.up.join() === each.up.join();
   const away = (each: Held<Vec>) => `${plain(each.force_norm)} N, ${degrees((between(each.up, model.up) * 180) / Math.PI)} from here`;
   const parts = here(best) ? [`No ${allowed(model)} posture needs less`] : [`Least of all: ${away(best)}, ${best.manner}`];
   parts[0] += status === 'optimal' ? ` (proven by ${holds} holds).` : `, as far as ${holds} holds can tell: to ${percent(relative_gap!)} of the effort.`;
