@@ -1,4 +1,5 @@
 import './style.css';
+import { decompress } from 'fzstd';
 import packed from 'virtual:core';
 import { BodyView } from './body';
 import { BadGrasp, read, start, type AnyHold } from './core';
@@ -17,12 +18,7 @@ import { why, whyInSpace } from './why';
 
 const find = <Kind extends HTMLElement>(id: string) => document.getElementById(id) as Kind;
 
-async function unpacked(text: string): Promise<ArrayBuffer> {
-  const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Response(stream).arrayBuffer();
-}
-const wasm = await unpacked(packed);
+const wasm = decompress(Uint8Array.from(atob(packed), (character) => character.charCodeAt(0))).buffer as ArrayBuffer;
 await start(wasm);
 
 /** A grasp in the plane, or in space: its model, its views. */

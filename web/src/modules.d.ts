@@ -10,7 +10,7 @@ declare module '@core' {
   export default function create(options: { wasmBinary: ArrayBuffer }): Promise<Core>;
 }
 
-/** Its WebAssembly, gzip as base64. */
+/** Its WebAssembly, zstd as base64. */
 declare module 'virtual:core' {
   const text: string;
   export default text;
