@@ -20,7 +20,7 @@ const coreAsText: Plugin = {
 export default defineConfig({
   base: './',
   build: { target: 'es2022', rolldownOptions: { input: 'playground.html' } },
-  resolve: { alias: { '@core': built('wasm/poise.mjs'), '@examples': built('fixtures') } },
+  resolve: { alias: { '@core': new URL('../bindings/wasm/poise.mjs', import.meta.url).pathname, '@examples': built('fixtures') } },
   test: { include: ['test/*.test.ts'] },
   plugins: [coreAsText, viteSingleFile()],
 });

@@ -2,19 +2,11 @@
 // FIXTURES EXAMPLES. Numbers to 1e-9 of themselves, those near nothing to 1e-12; everything else
 // exactly. In space optima are found by descent: there V is flat, so that only V is as exact.
 import { readdirSync, readFileSync } from 'node:fs';
-import { pathToFileURL } from 'node:url';
+import { load } from './poise.mjs';
 
 const [module, fixtures, examples] = process.argv.slice(2);
-const { default: create } = await import(pathToFileURL(module));
-const core = await create({ wasmBinary: readFileSync(module.replace('.mjs', '.wasm')) });
-function answer(request) {
-  const bytes = Buffer.from(`${JSON.stringify(request)}\0`);
-  const at = core._malloc(bytes.length);
-  core.HEAPU8.set(bytes, at);
-  const found = core._poise_answer(at);
-  core._free(at);
-  return JSON.parse(Buffer.from(core.HEAPU8.subarray(found, core.HEAPU8.indexOf(0, found))));
-}
+const call = await load(readFileSync(module));
+const answer = (request) => JSON.parse(call(JSON.stringify(request)));
 const read = (file) => JSON.parse(readFileSync(`${fixtures}/${file}`, 'utf8'));
 
 let compared = 0;

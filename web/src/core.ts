@@ -1,5 +1,5 @@
 // The solver: the C++ core as WebAssembly. Its documents are those of docs/command-line.md.
-import create, { type Core } from '@core';
+import { load } from '@core';
 import type { Domain, Grasp, PlanarGrasp, PlanarShape, Point, SpatialGrasp, SpatialShape, Vec } from './grasp';
 
 export type Limit = 'none' | 'min' | 'max';
@@ -137,21 +137,16 @@ interface SpatialAnswers {
 /** A grasp that has no meaning: the words of the command line. */
 export class BadGrasp extends Error {}
 
-let core: Core;
+let call: (request: string) => string;
 
 /** To be called once, before anything is asked. */
 export async function start(wasm: ArrayBuffer): Promise<void> {
-  core = await create({ wasmBinary: wasm });
+  call = await load(wasm);
 }
 
 /** The answer, or the words for what is wrong with the request. */
 function answer(request: unknown, words: (error: { path: string; problem: string; message: string }) => string) {
-  const bytes = new TextEncoder().encode(`${JSON.stringify(request)}\0`);
-  const at = core._malloc(bytes.length);
-  core.HEAPU8.set(bytes, at);
-  const text = core._poise_answer(at);
-  core._free(at);
-  const found = JSON.parse(new TextDecoder().decode(core.HEAPU8.subarray(text, core.HEAPU8.indexOf(0, text))));
+  const found = JSON.parse(call(JSON.stringify(request)));
   if (found.error) throw new BadGrasp(words(found.error));
   return found;
 }

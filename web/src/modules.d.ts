@@ -1,13 +1,6 @@
-/** The WebAssembly core as emscripten writes it. */
+/** bindings/wasm/poise.mjs */
 declare module '@core' {
-  export interface Core {
-    HEAPU8: Uint8Array<ArrayBuffer>;
-    _malloc(size: number): number;
-    _free(at: number): void;
-    /** JSON in, JSON out: texts that end with a 0. */
-    _poise_answer(request: number): number;
-  }
-  export default function create(options: { wasmBinary: ArrayBuffer }): Promise<Core>;
+  export function load(wasm: ArrayBuffer): Promise<(request: string) => string>;
 }
 
 /** Its WebAssembly, zstd as base64. */
