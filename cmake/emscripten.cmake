@@ -4,8 +4,6 @@ set(headers ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${headers})
 file(CREATE_LINK /usr/include/eigen3/Eigen ${headers}/Eigen SYMBOLIC)
 file(CREATE_LINK /usr/include/nlohmann ${headers}/nlohmann SYMBOLIC)
-file(CREATE_LINK /usr/include/rapidcheck.h ${headers}/rapidcheck.h SYMBOLIC)
-file(CREATE_LINK /usr/include/rapidcheck ${headers}/rapidcheck SYMBOLIC)
 
 foreach(name Eigen3::Eigen nlohmann_json::nlohmann_json)
   add_library(${name} INTERFACE IMPORTED GLOBAL)
