@@ -10,6 +10,7 @@
 #include "files/json_text.hpp"
 #include "files/result.hpp"
 #include "files/spatial.hpp"
+#include "poise/capacity.hpp"
 #include "twist.hpp"
 
 namespace poise {
@@ -32,10 +33,22 @@ double read_cap(const Field& root) {
   return cap->number();
 }
 
+/// How far a posture is from what it can no longer hold.
+template <int Dim>
+std::string margins(const Grasp<Dim>& grasp, const Vector<Dim>& up, const HoldSettings& settings) {
+  const WeightRange<Dim> weights = weight_range(grasp, up, settings);
+  const LeastFriction<Dim> friction = least_friction(grasp, up, settings);
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  return json_text({{"weight", grasp.object().weight},
+                    {"holdable", weights.holdable},
+                    {"greatest_weight", number(weights.greatest.weight)},
+                    {"friction_factor", number(friction.factor)}});
+}
+
 std::string answer(const std::string& command, const Field& root, const PlanarFile& file) {
   root.mapping({"command", "grasp", "angle_deg", "domain", "force_cap"}, {"up", "ups", "cuts"},
                "is for space, not for the plane");
-  root.get("command", "").word({"check", "hold", "best", "curve"});
+  root.get("command", "").word({"check", "hold", "best", "curve", "margins"});
   const Grasp<2> grasp = file.grasp();
   CurveSettings settings{.domain = file.domain, .force_cap = read_cap(root)};
   if (const auto domain = root.find("domain"))
@@ -52,6 +65,7 @@ std::string answer(const std::string& command, const Field& root, const PlanarFi
     theta = *option.angle_deg * (3.14159265358979323846 / 180);
   }
   const HoldSettings hold_settings{.force_cap = settings.force_cap};
+  if (command == "margins") return margins<2>(grasp, up_at(theta), hold_settings);
   return hold_document(grasp, theta, hold(grasp, up_at(theta), hold_settings), hold_settings,
                        option);
 }
@@ -109,7 +123,7 @@ Json planes(const std::vector<Grasp<3>>& grasps, const std::vector<Field>& cuts)
 std::string answer(const std::string& command, const Field& root, const SpatialFile& file) {
   root.mapping({"command", "grasp", "up", "force_cap", "ups", "cuts"}, {"angle_deg", "domain"},
                "is for the plane, not for space");
-  root.get("command", "").word({"check", "hold", "best", "efforts", "planes"});
+  root.get("command", "").word({"check", "hold", "best", "margins", "efforts", "planes"});
   const std::vector<Grasp<3>> grasps = file.grasps();
   const HoldSettings settings{.force_cap = read_cap(root)};
 
@@ -133,7 +147,9 @@ std::string answer(const std::string& command, const Field& root, const SpatialF
   }
   const Vector<3> up =
       option ? option->stableNormalized() : file.up.value_or(Vector<3>(Vector<3>::UnitZ()));
-  return hold_document(grasps, hold_all(grasps, up, settings), settings, option);
+  const SpatialPosture posture = hold_all(grasps, up, settings);
+  if (command == "margins") return margins<3>(grasps[posture.scenario], up, settings);
+  return hold_document(grasps, posture, settings, option);
 }
 
 /// The bytes that hexadecimal digits spell, two for each.

@@ -7,7 +7,12 @@ namespace poise {
 /// Answers a request: {"command", "grasp": {a grasp file}} and what the command may have besides.
 ///
 /// `check`, `hold` ("angle_deg", in space "up"), `best` and `curve` ("domain", "force_cap") give
-/// the document that the command line prints with --json. In space also
+/// the document that the command line prints with --json.
+///   margins  ("angle_deg", in space "up"): {"weight", "holdable", "greatest_weight",
+///            "friction_factor"}: the greatest weight that is still held in the posture, null where
+///            any is, and the least common factor on all frictions, null where none is enough; in
+///            the scenario that decides
+/// In space also
 ///   efforts  {"ups": [[x, y, z], ...]}: {"efforts": [V or null, ...]} [N^2], each hold started at
 ///            the one before
 ///   planes   {"cuts": those of best}: {"planes": [{"a", "b"}, ...]}: for every x in R^3 the effort

@@ -52,6 +52,26 @@ for (const file of names) {
   const grasp = read(file);
   for (const command of ['check', 'hold', 'best', ...(grasp.dimension === 2 ? ['curve'] : [])])
     compare(answer({ command, grasp }), read(`${name}.${command}.json`), `${name}.${command}`);
+
+  // The greatest weight is held, and a little more is not; so is the least friction.
+  const { holdable, weight, greatest_weight, friction_factor } = answer({ command: 'margins', grasp });
+  const held = (change) => {
+    const other = structuredClone(grasp);
+    change(other);
+    return answer({ command: 'hold', grasp: other }).holdable;
+  };
+  const rubbed = (factor) => (other) => other.contacts.forEach((each) => {
+    each.friction *= factor;
+    if (each.torsion) each.torsion *= factor;
+  });
+  if (holdable && friction_factor > 1e-6) {
+    expect(held(rubbed(1.0001 * friction_factor)), `${name}: the least friction`);
+    expect(!held(rubbed(0.9999 * friction_factor)), `${name}: less than the least friction`);
+  }
+  if (holdable && greatest_weight !== null && grasp.object.weight) {
+    expect(held((other) => void (other.object.weight = 0.9999 * greatest_weight)), `${name}: the greatest weight`, greatest_weight, weight);
+    expect(!held((other) => void (other.object.weight = 1.0001 * greatest_weight)), `${name}: more than the greatest weight`);
+  }
   if (grasp.dimension === 2) continue;
 
   // All around at once as one by one; no plane is above the effort anywhere, nor below the bound

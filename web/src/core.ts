@@ -119,7 +119,18 @@ export interface SpatialCheck extends AnyCheck<Vec, SpatialShape> {
   tilt: { from: Vec; max_deg: number } | null;
 }
 
+/** How far a posture is from what it can no longer hold. */
+export interface Margins {
+  weight: number;
+  holdable: boolean;
+  /** null: any weight. */
+  greatest_weight: number | null;
+  /** On all frictions together; null: none is enough. */
+  friction_factor: number | null;
+}
+
 interface PlanarAnswers {
+  margins: Margins;
   check: Check;
   hold: Hold<Point>;
   best: Best;
@@ -127,6 +138,7 @@ interface PlanarAnswers {
 }
 
 interface SpatialAnswers {
+  margins: Margins;
   check: SpatialCheck;
   hold: Hold<Vec>;
   best: SpatialBest;

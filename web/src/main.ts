@@ -118,7 +118,7 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
     this.plot.draw();
     this.controls.draw();
     drawMinima(find('minima'), this.model);
-    drawWords(degrees(angle), answers.hold, why(answers, angle, this.model.optimum()), problem, answers.check.warnings);
+    drawWords(degrees(angle), answers.hold, why(answers, this.model.margins(), angle, this.model.optimum()), problem, answers.check.warnings);
   }
 }
 
@@ -171,7 +171,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
     find('proof').textContent = this.sphere.said();
     drawSpatialMinima(find('minima'), this.model);
     const at = `up (${up.map((part) => fixed(part, 3)).join(', ')})`;
-    drawWords(at, answers.hold, whyInSpace(this.model), problem, answers.check.warnings);
+    drawWords(at, answers.hold, whyInSpace(this.model, this.model.margins()), problem, answers.check.warnings);
     document.body.dataset.settled = outdated ? '' : '1';
   }
 }

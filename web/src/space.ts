@@ -1,6 +1,6 @@
 // What is shown of a grasp in space: as state.ts in the plane. The certified best posture and the
 // sphere come from a worker, later than the rest.
-import { askSpatial, BadGrasp, type Held, type Hold, type Plane, type SpatialBest, type SpatialCheck } from './core';
+import { askSpatial, BadGrasp, type Held, type Hold, type Margins, type Plane, type SpatialBest, type SpatialCheck } from './core';
 import { scenariosOf, type SpatialGrasp, type Vec } from './grasp';
 import { bodyOf, bodyOfMesh, type Body, type Triangles } from './mesh';
 import { about, after, angle, length, minus, towards, turned, turnedBack, unit, type Turn } from './turn';
@@ -133,6 +133,10 @@ export class SpatialModel {
   edit(change: (grasp: SpatialGrasp) => void): void {
     change(this.grasp);
     this.changed(true);
+  }
+
+  margins(): Margins {
+    return askSpatial('margins', this.answers.grasp, { up: this.up });
   }
 
   effortAt(posture: Vec): number | undefined {

@@ -1,5 +1,5 @@
 // What is shown: a grasp, a posture, and the answers to them.
-import { ask, BadGrasp, type Best, type Check, type Curve, type Hold, type Optimum } from './core';
+import { ask, BadGrasp, type Best, type Check, type Curve, type Hold, type Margins, type Optimum } from './core';
 import type { Domain, PlanarGrasp, Point } from './grasp';
 import { outline } from './shape';
 import { length, minus } from './vector';
@@ -66,6 +66,10 @@ export class PlanarModel {
   choose(domain: Domain): void {
     this.domain = domain;
     this.changed(true);
+  }
+
+  margins(): Margins {
+    return ask('margins', this.answers.grasp, { angle_deg: this.angle });
   }
 
   effortAt(angle: number): number | undefined {
