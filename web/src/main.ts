@@ -5,6 +5,7 @@ import { BodyView } from './body';
 import { BadGrasp, read, start, type AnyHold } from './core';
 import { asPng, asSvg, fileName, fromLink, keep, toLink, yaml, type Picture } from './files';
 import type { Grasp, PlanarGrasp, SpatialGrasp, Vec } from './grasp';
+import type { Triangles } from './mesh';
 import { drawMinima, drawSpatialMinima, PlanarControls, SpatialControls } from './panel';
 import { asPaper } from './paper';
 import { Plot } from './plot';
@@ -24,7 +25,7 @@ await start(wasm);
 /** A grasp in the plane, or in space: its model, its views. */
 interface Sheet<Kind extends Grasp> {
   /** @throws BadGrasp, and nothing changes. */
-  load(grasp: Kind): void;
+  load(grasp: Kind, mesh?: Triangles): void;
   draw(): void;
   /** The grasp as it is shown, in its posture. */
   current(): Kind;
@@ -128,8 +129,8 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
   private readonly sphere: SphereView;
   private readonly controls: SpatialControls;
 
-  constructor(grasp: SpatialGrasp) {
-    this.model = new SpatialModel(wasm, grasp);
+  constructor(grasp: SpatialGrasp, mesh?: Triangles) {
+    this.model = new SpatialModel(wasm, grasp, mesh);
     this.scene = new BodyView(find('space'), this.model);
     this.sphere = new SphereView(find('sphere'), this.model);
     this.controls = new SpatialControls(find('controls'), this.model);
@@ -142,8 +143,8 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => sheet === this && this.draw());
   }
 
-  load(grasp: SpatialGrasp): void {
-    this.model.load(grasp);
+  load(grasp: SpatialGrasp, mesh?: Triangles): void {
+    this.model.load(grasp, mesh);
     this.controls.forget();
   }
 
@@ -176,19 +177,24 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
   }
 }
 
+interface Shown {
+  grasp: Grasp;
+  mesh?: Triangles;
+}
+
 let plane: PlaneSheet | undefined;
 let space: SpaceSheet | undefined;
 let sheet: PlaneSheet | SpaceSheet | undefined;
 
 /** Shows a grasp; one without meaning is refused, and nothing changes. */
-function show(grasp: Grasp): void {
+function show({ grasp, mesh }: Shown): void {
   if (grasp.dimension === 2) {
     if (plane) plane.load(grasp);
     else plane = new PlaneSheet(grasp);
     sheet = plane;
   } else {
-    if (space) space.load(grasp);
-    else space = new SpaceSheet(grasp);
+    if (space) space.load(grasp, mesh);
+    else space = new SpaceSheet(grasp, mesh);
     sheet = space;
   }
   for (const [id, dimension] of [['plane', 2], ['plot', 2], ['space', 3], ['sphere', 3]] as const)
@@ -196,9 +202,9 @@ function show(grasp: Grasp): void {
   sheet.draw();
 }
 
-/** The grasp that `poise view` wrote into the page. */
-const given: Grasp | null = JSON.parse(find('grasp').textContent ?? 'null');
-const all = presets.flatMap(({ grasps }) => grasps);
+/** The grasp that `poise view` wrote into the page, and what it looks like if its shape is a mesh. */
+const [given, mesh]: [Grasp | null, Triangles | null] = ['grasp', 'mesh'].map((id) => JSON.parse(find(id).textContent ?? 'null')) as [Grasp | null, Triangles | null];
+const all: (Shown & { label: string })[] = presets.flatMap(({ grasps }) => grasps);
 const select = find<HTMLSelectElement>('preset');
 for (const { group, grasps } of presets) {
   const options = document.createElement('optgroup');
@@ -206,12 +212,12 @@ for (const { group, grasps } of presets) {
   options.append(...grasps.map(({ label }) => new Option(label, String(all.findIndex((each) => each.label === label)))));
   select.append(options);
 }
-const chosen = () => all[Number(select.value)]!.grasp;
+const chosen = () => all[Number(select.value)]!;
 
 /** Shows a grasp from elsewhere, which can be chosen again. */
-function offer(grasp: Grasp, label: string): void {
-  show(grasp);
-  const index = all.push({ label, grasp }) - 1;
+function offer(shown: Shown, label: string): void {
+  show(shown);
+  const index = all.push({ label, ...shown }) - 1;
   select.prepend(new Option(label, String(index), true, true));
   select.value = String(index);
   document.title = `${label} – Poise`;
@@ -229,7 +235,7 @@ function open(bytes: Uint8Array, name: string): void {
     const result = resultIn(bytes);
     if (result) return void say(follow(result, name), true);
     const grasp = read(bytes, name);
-    offer(grasp, grasp.name ?? name);
+    offer({ grasp }, grasp.name ?? name);
     say('');
   } catch (error) {
     if (!(error instanceof BadGrasp)) throw error;
@@ -322,7 +328,7 @@ addEventListener('drop', (event) => {
   void openFile(event.dataTransfer?.files[0]);
 });
 
-if (given) offer(given, given.name ?? 'your grasp');
+if (given) offer({ grasp: given, ...(mesh && { mesh }) }, given.name ?? 'your grasp');
 else {
   select.value = String(all.findIndex(({ label }) => label === first));
   show(chosen());

@@ -76,6 +76,7 @@ export class SpatialModel {
       throw error;
     }
     this.mesh = mesh;
+    this.body = undefined;
     this.body = this.bodyNow();
     this.frame = frameOf(this.answers.check, this.body);
     this.problem = '';

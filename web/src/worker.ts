@@ -27,6 +27,9 @@ self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task>) => {
   }
   latest = data.id;
   await ready;
+  // Of many tasks only the last one is worth beginning.
+  await new Promise((done) => setTimeout(done));
+  if (data.id !== latest) return;
   for (const part of parts(data)) {
     postMessage({ id: data.id, ...part });
     await new Promise((done) => setTimeout(done));  // another task may have come
