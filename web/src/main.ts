@@ -2,7 +2,7 @@ import './style.css';
 import { decompress } from 'fzstd';
 import packed from 'virtual:core';
 import { BodyView } from './body';
-import { BadGrasp, read, start, type AnyHold } from './core';
+import { BadGrasp, read, start, type AnyHold, type Margins } from './core';
 import { asPng, asSvg, fileName, fromLink, keep, toLink, yaml, type Picture } from './files';
 import type { Grasp, PlanarGrasp, SpatialGrasp, Vec } from './grasp';
 import type { Triangles } from './mesh';
@@ -19,7 +19,7 @@ import { why, whyInSpace } from './why';
 
 const find = <Kind extends HTMLElement>(id: string) => document.getElementById(id) as Kind;
 
-const wasm = decompress(Uint8Array.from(atob(packed), (character) => character.charCodeAt(0))).buffer as ArrayBuffer;
+const wasm = decompress(Uint8Array.from(atob(packed), (character) => character.charCodeAt(0))).slice().buffer;
 await start(wasm);
 
 /** A grasp in the plane, or in space: its model, its views. */
@@ -55,11 +55,32 @@ function drawWords(at: string, hold: AnyHold, reasons: string[], problem: string
   find('problem').classList.toggle('bad', notice.text ? notice.bad : problem !== '');
 }
 
+/** What a posture would still hold takes some tens of holds: told as soon as nothing moves. */
+class Rest {
+  private of: unknown;
+  private margins: Margins | undefined;
+  private timer = 0;
+  constructor(private readonly ask: () => Margins, private readonly then: () => void) {}
+
+  at(hold: AnyHold): Margins | undefined {
+    if (this.of === hold) return this.margins;
+    this.of = hold;
+    this.margins = undefined;
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => {
+      this.margins = this.ask();
+      this.then();
+    }, 150);
+    return undefined;
+  }
+}
+
 class PlaneSheet implements Sheet<PlanarGrasp> {
   private readonly model: PlanarModel;
   private readonly scene: Scene;
   private readonly plot: Plot;
   private readonly controls: PlanarControls;
+  private readonly rest: Rest = new Rest(() => this.model.margins(), () => sheet === this && this.draw());
   private readonly boxes = {
     squared: find<HTMLInputElement>('squared'),
     logarithmic: find<HTMLInputElement>('logarithmic'),
@@ -119,7 +140,7 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
     this.plot.draw();
     this.controls.draw();
     drawMinima(find('minima'), this.model);
-    drawWords(degrees(angle), answers.hold, why(answers, this.model.margins(), angle, this.model.optimum()), problem, answers.check.warnings);
+    drawWords(degrees(angle), answers.hold, why(answers, this.rest.at(answers.hold), angle, this.model.optimum()), problem, answers.check.warnings);
   }
 }
 
@@ -128,6 +149,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
   private readonly scene: BodyView;
   private readonly sphere: SphereView;
   private readonly controls: SpatialControls;
+  private readonly rest: Rest = new Rest(() => this.model.margins(), () => sheet === this && this.draw());
 
   constructor(grasp: SpatialGrasp, mesh?: Triangles) {
     this.model = new SpatialModel(wasm, grasp, mesh);
@@ -172,7 +194,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
     find('proof').textContent = this.sphere.said();
     drawSpatialMinima(find('minima'), this.model);
     const at = `up (${up.map((part) => fixed(part, 3)).join(', ')})`;
-    drawWords(at, answers.hold, whyInSpace(this.model, this.model.margins()), problem, answers.check.warnings);
+    drawWords(at, answers.hold, whyInSpace(this.model, this.rest.at(answers.hold)), problem, answers.check.warnings);
     document.body.dataset.settled = outdated ? '' : '1';
   }
 }

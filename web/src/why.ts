@@ -18,7 +18,7 @@ const name = (contacts: Contacts, i: number) => {
 };
 
 /** Paragraphs. */
-export function why(answers: PlanarAnswers, margins: Margins, angle: number, optimum: Optimum | undefined): string[] {
+export function why(answers: PlanarAnswers, margins: Margins | undefined, angle: number, optimum: Optimum | undefined): string[] {
   const { hold, curve, best } = answers;
   if (!hold.holdable) {
     const said = [`${sentence(hold.reason)}`];
@@ -27,7 +27,7 @@ export function why(answers: PlanarAnswers, margins: Margins, angle: number, opt
     else if (!best.best) said.push('No other posture can be held either.');
     return said;
   }
-  return [contactsInWords(answers.check.contacts, hold), further(answers, angle, hold, optimum), stillHolds(margins), compared(answers, angle)].filter(Boolean);
+  return [contactsInWords(answers.check.contacts, hold), further(answers, angle, hold, optimum), compared(answers, angle), margins ? stillHolds(margins) : ''].filter(Boolean);
 }
 
 function contactsInWords(contacts: Contacts, hold: AnyHeld): string {
@@ -61,7 +61,7 @@ function stillHolds({ weight, holdable, greatest_weight, friction_factor }: Marg
   if (!holdable || friction_factor === null || friction_factor > 1) return '';
   const load = greatest_weight === null ? 'any weight' : `up to ${newtons(greatest_weight)} (${plain(greatest_weight / weight)} times the weight)`;
   const friction = friction_factor < 1e-6 ? 'even without friction' : `with no less than ${percent(friction_factor)} of the friction`;
-  return `So it still holds ${load}, and this weight ${friction}.`;
+  return `In this posture the fingers still hold ${load}, and this weight ${friction}.`;
 }
 
 const leftOut = ({ best, check }: PlanarAnswers, angle: number) =>
@@ -107,7 +107,7 @@ function compared(answers: PlanarAnswers, angle: number): string {
 const sentence = (words: string) => `${words.charAt(0).toUpperCase()}${words.slice(1)}${words.endsWith('.') ? '' : '.'}`;
 
 /** The same in space, where the best posture may still be looked for. */
-export function whyInSpace(model: SpatialModel, margins: Margins): string[] {
+export function whyInSpace(model: SpatialModel, margins: Margins | undefined): string[] {
   const { check, hold } = model.answers;
   const best = model.outdated ? undefined : model.found.best;
   const of = hold.scenario === undefined ? '' : `In scenario ${hold.scenario}, which decides: `;
@@ -116,7 +116,7 @@ export function whyInSpace(model: SpatialModel, margins: Margins): string[] {
     if (best?.status === 'unholdable') said.push(`No ${allowed(model)} posture can be held, which is proven.`);
     return said;
   }
-  return [of + contactsInWords(check.contacts, hold), steepest(model, hold), stillHolds(margins), best ? comparedInSpace(model, best) : ''].filter(Boolean);
+  return [of + contactsInWords(check.contacts, hold), steepest(model, hold), best ? comparedInSpace(model, best) : '', margins ? stillHolds(margins) : ''].filter(Boolean);
 }
 
 const allowed = ({ answers }: SpatialModel) => (answers.check.tilt ? 'allowed' : 'other');
