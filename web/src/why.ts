@@ -60,7 +60,7 @@ function contactsInWords(contacts: Contacts, hold: AnyHeld): string {
 function stillHolds({ weight, holdable, greatest_weight, friction_factor }: Margins): string {
   if (!holdable || friction_factor === null || friction_factor > 1) return '';
   const load = greatest_weight === null ? 'any weight' : `up to ${newtons(greatest_weight)} (${plain(greatest_weight / weight)} times the weight)`;
-  const friction = friction_factor < 1e-6 ? 'even without friction' : `with no less than ${percent(friction_factor)} of the friction`;
+  const friction = friction_factor < 1e-3 ? 'with nearly no friction' : `with no less than ${percent(friction_factor)} of the friction`;
   return `In this posture the fingers still hold ${load}, and this weight ${friction}.`;
 }
 

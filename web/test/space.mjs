@@ -66,6 +66,7 @@ const seen = async () => [await verdict(page), await page.textContent('#minima')
 async function changes(what, act) {
   const before = await seen();
   await act();
+  await frame(page);
   await page.waitForTimeout(400);  // the turn is seen to turn
   await settled(page);
   await frame(page);
