@@ -138,7 +138,7 @@ export class BodyView {
     const { body, frame: ball } = this.model;
     const v = times(-1, dual.slice(0, 3) as unknown as Vec);
     const w = times(-1, dual.slice(3) as unknown as Vec);
-    const far = Math.max(...body!.points.map((p) => length(add(v, cross(w, p)))));
+    const far = body!.points.reduce((most, p) => Math.max(most, length(add(v, cross(w, p)))), 0);
     if (!(far > 0)) return;
     const time = (0.2 * ball.radius) / far;
     const speed = length(w);

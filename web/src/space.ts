@@ -45,6 +45,7 @@ export class SpatialModel {
   private pending = false;
   private moving = 0;
   private task = 0;
+  private bodyIsOf: unknown;
   private readonly worker: InstanceType<typeof Worker>;
   private readonly listeners: (() => void)[] = [];
 
@@ -76,7 +77,6 @@ export class SpatialModel {
       throw error;
     }
     this.mesh = mesh;
-    this.body = undefined;
     this.body = this.bodyNow();
     this.frame = frameOf(this.answers.check, this.body);
     this.problem = '';
@@ -203,10 +203,13 @@ export class SpatialModel {
     this.tell();
   }
 
+  /** The body as it was, unless the shape is another. */
   private bodyNow(): Body | undefined {
     const { shape } = this.answers.check;
-    if (shape) return bodyOf(shape);
-    return this.mesh && (this.body ?? bodyOfMesh(this.mesh));
+    const of = shape ? JSON.stringify(shape) : this.mesh;
+    if (of !== this.bodyIsOf) this.body = shape ? bodyOf(shape) : this.mesh && bodyOfMesh(this.mesh);
+    this.bodyIsOf = of;
+    return this.body;
   }
 }
 
@@ -226,6 +229,6 @@ function frameOf({ contacts, scenarios }: SpatialCheck, body: Body | undefined):
     const values = points.map((point) => point[k]!);
     return (values.reduce((a, b) => Math.min(a, b)) + values.reduce((a, b) => Math.max(a, b))) / 2;
   }) as unknown as Vec;
-  return { centre, radius: Math.max(...points.map((point) => length(minus(point, centre)))) || 1 };
+  return { centre, radius: points.reduce((most, point) => Math.max(most, length(minus(point, centre))), 0) || 1 };
 }
 
