@@ -9,6 +9,13 @@
 #include <Eigen/Core>
 #include <cmath>
 
+// The page with the core in it is loaded from the web: there an operation is a call, not a copy.
+#ifdef __wasm__
+#define POISE_WIDE_CALL [[gnu::noinline]]
+#else
+#define POISE_WIDE_CALL
+#endif
+
 namespace poise {
 
 class Wide {
@@ -17,24 +24,24 @@ class Wide {
 
   explicit operator double() const { return high_; }
 
-  friend Wide operator+(const Wide& a, const Wide& b) {
+  POISE_WIDE_CALL friend Wide operator+(const Wide& a, const Wide& b) {
     const Wide s = two_sum(a.high_, b.high_), t = two_sum(a.low_, b.low_);
     const Wide v = fast_two_sum(s.high_, s.low_ + t.high_);
     return fast_two_sum(v.high_, t.low_ + v.low_);
   }
-  friend Wide operator*(const Wide& a, const Wide& b) {
+  POISE_WIDE_CALL friend Wide operator*(const Wide& a, const Wide& b) {
     const double product = a.high_ * b.high_;
     const double rest = std::fma(a.high_, b.high_, -product);
     return fast_two_sum(product, rest + (a.high_ * b.low_ + a.low_ * b.high_));
   }
-  friend Wide operator/(const Wide& a, const Wide& b) {
+  POISE_WIDE_CALL friend Wide operator/(const Wide& a, const Wide& b) {
     const double quotient = a.high_ / b.high_;
     if (!std::isfinite(quotient) || std::isinf(b.high_)) return quotient;
     const Wide rest = a - b * quotient;
     return fast_two_sum(quotient, rest.high_ / b.high_);
   }
   Wide operator-() const { return Wide(-high_, -low_); }
-  friend Wide operator-(const Wide& a, const Wide& b) { return a + -b; }
+  POISE_WIDE_CALL friend Wide operator-(const Wide& a, const Wide& b) { return a + -b; }
   Wide& operator+=(const Wide& b) { return *this = *this + b; }
   Wide& operator-=(const Wide& b) { return *this = *this - b; }
   Wide& operator*=(const Wide& b) { return *this = *this * b; }
@@ -53,7 +60,7 @@ class Wide {
 
   friend Wide abs(const Wide& a) { return a.high_ < 0 ? -a : a; }
   /// One Newton step from the root of the high part.
-  friend Wide sqrt(const Wide& a) {
+  POISE_WIDE_CALL friend Wide sqrt(const Wide& a) {
     if (!(a.high_ > 0)) return a.high_ < 0 ? 0 : a.high_;
     const double root = std::sqrt(a.high_);
     return Wide(root) + (a - Wide(root) * root) / (2 * root);

@@ -1,17 +1,18 @@
-import { readFileSync } from 'node:fs';
-import { gzipSync } from 'node:zlib';
-import { defineConfig, type Plugin } from 'vite';
+import { execFileSync } from 'node:child_process';
+import type { Plugin } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
+import { defineConfig } from 'vitest/config';
 
 const built = (path: string) => new URL(`../build/${path}`, import.meta.url).pathname;
 
-/** The WebAssembly core as text: compressed, it takes a third of the room. */
+/** The WebAssembly core as text: compressed, it takes a third of the room. By zstd it takes a
+ * seventh less than by what browsers can undo themselves. */
 const coreAsText: Plugin = {
   name: 'core-as-text',
   resolveId: (id) => (id === 'virtual:core' ? id : undefined),
   load: (id) =>
     id === 'virtual:core'
-      ? `export default '${gzipSync(readFileSync(built('wasm/poise.wasm')), { level: 9 }).toString('base64')}'`
+      ? `export default '${execFileSync('zstd', ['--ultra', '-22', '-c', built('wasm/poise.wasm')], { maxBuffer: 2 ** 26 }).toString('base64')}'`
       : undefined,
 };
 
@@ -19,6 +20,7 @@ const coreAsText: Plugin = {
 export default defineConfig({
   base: './',
   build: { target: 'es2022', rolldownOptions: { input: 'playground.html' } },
-  resolve: { alias: { '@core': built('wasm/poise.mjs'), '@examples': built('fixtures') } },
+  resolve: { alias: { '@core': new URL('../bindings/wasm/poise.mjs', import.meta.url).pathname, '@examples': built('fixtures') } },
+  test: { include: ['test/*.test.ts'] },
   plugins: [coreAsText, viteSingleFile()],
 });

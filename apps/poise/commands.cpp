@@ -200,7 +200,7 @@ Answer answer_in(const PlanarFile& file, const Arguments& arguments) {
     case Command::draw:
       return answer_draw(arguments, file, grasp);
     case Command::view:
-      return {view(file, arguments.page)};
+      return {view(grasp_document(file), arguments.page)};
     default:
       return answer_curve(arguments, file, grasp, settings);
   }
@@ -249,19 +249,29 @@ Answer answer_best(const Arguments& arguments, const SpatialFile& file,
           best.best.has_value()};
 }
 
+/// The page reads no other files: it gets the contacts written out, and the mesh to draw.
+std::string view_in_space(SpatialFile file, const std::string& page) {
+  std::string mesh = "null";
+  if (file.shape)
+    if (const auto* shape = std::get_if<MeshShape>(&*file.shape)) {
+      mesh = mesh_document(*shape->mesh);
+      file.shape.reset();
+    }
+  return view(grasp_document(file), page, mesh);
+}
+
 Answer answer_in(const SpatialFile& file, const Arguments& arguments) {
   const std::string in_space = arguments.file + " is in space (dimension 3)";
   if (arguments.command == Command::curve)
     throw UsageError("curve: is for the plane, " + in_space +
                      ", where postures make no curve: ask for best");
-  if (arguments.command == Command::view)
-    throw UsageError("view: is for the plane, " + in_space + ", which the page does not show yet");
   if (arguments.angle_deg)
     throw UsageError("--angle: is for the plane, " + in_space + ": give --up X,Y,Z");
   if (arguments.up.size() == 2) throw UsageError("--up: has 2 numbers, must have 3: " + in_space);
   if (arguments.domain.value_or(Domain::all) == Domain::pinched)
     throw UsageError("--domain: pinched is for the plane, " + in_space +
                      ", where best_pinched is shown anyway");
+  if (arguments.command == Command::view) return {view_in_space(file, arguments.page)};
   const std::vector<Grasp<3>> grasps = file.grasps();
   if (arguments.command == Command::check)
     return {arguments.json ? check_document(file, grasps)

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
-#include "files/grasp_writer.hpp"
 #include "plot.hpp"
 
 namespace poise {
@@ -13,8 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view before = "<script type=\"application/json\" id=\"grasp\">";
-constexpr std::string_view empty = "null</script>";
+/// Where the page has room for the grasp, or for the mesh.
+std::string place(const std::string& id, const std::string& json) {
+  return "<script type=\"application/json\" id=\"" + id + "\">" + json + "</script>";
+}
 
 /// The page as it is built: installed beside the program, or beside its build folder.
 std::string empty_page() {
@@ -33,9 +35,9 @@ std::string empty_page() {
 }
 
 /// The grasp as JSON that cannot end the script element it stands in, whatever its names are.
-std::string within_page(const PlanarFile& file) {
+std::string within_page(const std::string& grasp) {
   std::string text;
-  for (const char c : grasp_document(file)) {
+  for (const char c : grasp) {
     if (c == '<')
       text += "\\u003c";
     else
@@ -46,11 +48,15 @@ std::string within_page(const PlanarFile& file) {
 
 }  // namespace
 
-std::string view(const PlanarFile& file, const std::string& page) {
+std::string view(const std::string& grasp, const std::string& page, const std::string& mesh) {
   std::string text = empty_page();
-  const std::size_t at = text.find(std::string(before) + std::string(empty));
-  if (at == std::string::npos) throw OutputError("the page has no place for a grasp");
-  text.replace(at + before.size(), std::string_view("null").size(), within_page(file));
+  for (const auto& [id, json] : {std::pair("grasp", &grasp), {"mesh", &mesh}}) {
+    const std::string empty = place(id, "null");
+    const std::size_t at = text.find(empty);
+    if (at == std::string::npos)
+      throw OutputError(std::string("the page has no place for a ") + id);
+    text.replace(at, empty.size(), place(id, within_page(*json)));
+  }
   write_file(text, page);
   return "Wrote " + page + ": open it in a browser.\n";
 }

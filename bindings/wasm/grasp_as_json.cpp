@@ -1,4 +1,4 @@
-// Prints a planar grasp file as JSON, for places where there is no YAML: the page and its tests.
+// Prints a grasp file as JSON: for the page, which has the examples inside.
 #include <cstdio>
 
 #include "files/grasp_writer.hpp"
@@ -6,8 +6,8 @@
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   try {
-    const poise::GraspFile file = poise::read_grasp_file(argv[1]);
-    std::fputs(poise::grasp_document(std::get<poise::PlanarFile>(file)).c_str(), stdout);
+    std::visit([](const auto& file) { std::fputs(poise::grasp_document(file).c_str(), stdout); },
+               poise::read_grasp_file(argv[1]));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

@@ -40,7 +40,16 @@ Json contact_values(const std::vector<Contact<Dim>>& contacts) {
   return result;
 }
 
-Json object_value(const Object<3>& object) {
+template <int Dim>
+Json head(const CommonFile<Dim>& file) {
+  Json result = {{"poise", 1}, {"dimension", Dim}};
+  if (!file.name.empty()) result["name"] = file.name;
+  if (file.safety != 1) result["safety"] = file.safety;
+  return result;
+}
+
+template <int Dim>
+Json object_value(const Object<Dim>& object) {
   return {{"weight", object.weight}, {"com", list(object.com)}};
 }
 
@@ -102,13 +111,14 @@ Json shape_value(const Solid& solid) {
   return {{"mesh", {{"file", mesh.file}, {"scale", mesh.scale}}}};
 }
 
+Json tilt_value(const Tilt& tilt) {
+  return {{"from", list(tilt.from)}, {"max_deg", degrees(tilt.most)}};
+}
+
 std::string grasp_document(const SpatialFile& file, Held held, const std::string& folder) {
-  Json result = {{"poise", 1}, {"dimension", 3}};
-  if (!file.name.empty()) result["name"] = file.name;
-  if (file.safety != 1) result["safety"] = file.safety;
+  Json result = head(file);
   if (file.up) result["up"] = list(*file.up);
-  if (file.tilt)
-    result["tilt"] = {{"from", list(file.tilt->from)}, {"max_deg", degrees(file.tilt->most)}};
+  if (file.tilt) result["tilt"] = tilt_value(*file.tilt);
   if (file.scenarios.size() == 1) {
     result["object"] = object_value(file.scenarios.front());
   } else {
@@ -129,13 +139,17 @@ std::string grasp_document(const SpatialFile& file, Held held, const std::string
   return json_text(result);
 }
 
+std::string mesh_document(const Mesh& mesh) {
+  Json points = Json::array();
+  for (const Vector<3>& point : mesh.vertices) points.push_back(list(point));
+  return Json{{"points", std::move(points)}, {"triangles", mesh.triangles}}.dump();
+}
+
 std::string grasp_document(const PlanarFile& file) {
-  Json result = {{"poise", 1}, {"dimension", 2}};
-  if (!file.name.empty()) result["name"] = file.name;
-  if (file.safety != 1) result["safety"] = file.safety;
+  Json result = head(file);
   if (file.angle) result["angle_deg"] = degrees(*file.angle);
   if (file.domain == Domain::pinched) result["domain"] = "pinched";
-  result["object"] = {{"weight", file.object.weight}, {"com", list(file.object.com)}};
+  result["object"] = object_value(file.object);
   if (file.shape) result["object"]["shape"] = shape_value(*file.shape);
   result["contacts"] = contact_values(file.contacts);
   return json_text(result);

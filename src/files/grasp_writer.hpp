@@ -7,17 +7,24 @@
 
 namespace poise {
 
-/// A planar grasp as a grasp file in JSON, in SI units; reading it gives the same grasp.
+/// A grasp as a grasp file in JSON, in SI units; reading it gives the same grasp.
 std::string grasp_document(const PlanarFile& file);
 
 /// A grasp in space as a grasp file in JSON, in SI units; reading it gives the same grasp. It has
 /// the contacts, or instead of them the gripper if that is wanted and there is one. A mesh is
 /// named as seen from the folder in which the file will be ("": the present one).
 enum class Held { by_contacts, by_gripper };
-std::string grasp_document(const SpatialFile& file, Held held, const std::string& folder = "");
+std::string grasp_document(const SpatialFile& file, Held held = Held::by_contacts,
+                           const std::string& folder = "");
+
+/// The mesh of a shape as {"points": [[x, y, z], ...], "triangles": [[i, j, k], ...]}, for drawing.
+std::string mesh_document(const Mesh& mesh);
 
 /// A shape as it is written in a grasp file, in metres.
 nlohmann::ordered_json shape_value(const Shape& shape);
 nlohmann::ordered_json shape_value(const Solid& solid);
+
+/// A tilt as it is written in a grasp file.
+nlohmann::ordered_json tilt_value(const Tilt& tilt);
 
 }  // namespace poise

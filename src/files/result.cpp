@@ -188,10 +188,6 @@ Json holdable_arcs(const PostureCurve& curve) {
   return result;
 }
 
-Json tilt_value(const Tilt& tilt) {
-  return {{"from", list(tilt.from)}, {"max_deg", degrees(tilt.most)}};
-}
-
 Json quaternion(const Eigen::Quaterniond& q) {
   return {{"w", number(q.w())}, {"x", number(q.x())}, {"y", number(q.y())}, {"z", number(q.z())}};
 }

@@ -1,7 +1,6 @@
 // The solver: the C++ core as WebAssembly. Its documents are those of docs/command-line.md.
-import create from '@core';
-import packed from 'virtual:core';
-import type { Domain, Grasp, Point, Shape } from './grasp';
+import { load } from '@core';
+import type { Domain, Grasp, PlanarGrasp, PlanarShape, Point, SpatialGrasp, SpatialShape, Vec } from './grasp';
 
 export type Limit = 'none' | 'min' | 'max';
 export type State = 'unloaded' | 'sticking' | 'slipping';
@@ -9,41 +8,45 @@ export type Kind = 'boundary' | 'kink' | 'smooth';
 export type Manner = 'resting' | 'cradled' | 'pinched';
 export type Range = [number, number];
 
-export interface ContactForce {
+export interface ContactForce<P> {
   finger: string;
   friction_used: number;
   normal_force: number;
   tangential_force: number;
-  force: Point;
+  torsion_moment?: number;
+  force: P;
   state: State;
   limit: Limit;
 }
 
-interface Posture {
-  up: Point;
-  angle_deg: number;
-  dual: [number, number, number];
+interface Posture<P> {
+  up: P;
+  dual: number[];
   lower_bound: number;
+  scenario?: number;
+  scenario_efforts?: (number | null)[];
 }
 
-export interface Held extends Posture {
+export interface Held<P> extends Posture<P> {
   holdable: true;
   effort: number;
   force_norm: number;
   manner: Manner;
   grip_force: number;
-  fingers: { finger: string; normal_force: number; force: Point }[];
-  contacts: ContactForce[];
+  fingers: { finger: string; normal_force: number; force: P }[];
+  contacts: ContactForce<P>[];
 }
 
-export interface NotHeld extends Posture {
+export interface NotHeld<P> extends Posture<P> {
   holdable: false;
   reason: string;
 }
 
-export type Hold = Held | NotHeld;
+export type Hold<P> = Held<P> | NotHeld<P>;
+export type AnyHold = Hold<Point> | Hold<Vec>;
 
-export type Optimum = Held & {
+export type Optimum = Held<Point> & {
+  angle_deg: number;
   kind: Kind;
   type: 'min' | 'max';
   from_deg?: number;
@@ -71,51 +74,111 @@ export interface Curve {
   holdable_arcs_deg: Range[];
 }
 
-export interface Check {
-  weight: number;
-  com: Point;
+export type Cut = { y: number[]; scenario: number } | { n: Vec };
+
+export interface SpatialBest {
+  status: 'optimal' | 'gap' | 'unholdable';
+  best: Held<Vec> | null;
+  best_pinched: Held<Vec> | null;
+  minima: Held<Vec>[];
+  lower_bound: number | null;
+  relative_gap: number | null;
+  holds: number;
+  cuts: Cut[];
+}
+
+/** What a cut says of any load x, 1 being the weight: its effort is at least a . x - b [N^2]. */
+export interface Plane {
+  a: Vec;
+  b: number;
+}
+
+interface AnyCheck<P, Shape> {
   shape: Shape | null;
   contacts: {
     finger: string;
-    position: Point;
-    normal: Point;
+    position: P;
+    normal: P;
     friction: number;
+    torsion?: number;
     min_normal: number;
     max_normal: number | null;
   }[];
   force_closure: boolean;
-  cradled_deg: Range | null;
   warnings: string[];
 }
 
-interface Answers {
+export interface Check extends AnyCheck<Point, PlanarShape> {
+  weight: number;
+  com: Point;
+  cradled_deg: Range | null;
+}
+
+export interface SpatialCheck extends AnyCheck<Vec, SpatialShape> {
+  scenarios: { weight: number; com: Vec }[];
+  tilt: { from: Vec; max_deg: number } | null;
+}
+
+/** How far a posture is from what it can no longer hold. */
+export interface Margins {
+  weight: number;
+  holdable: boolean;
+  /** null: any weight. */
+  greatest_weight: number | null;
+  /** On all frictions together; null: none is enough. */
+  friction_factor: number | null;
+}
+
+interface PlanarAnswers {
+  margins: Margins;
   check: Check;
-  hold: Hold;
+  hold: Hold<Point>;
   best: Best;
   curve: Curve;
+}
+
+interface SpatialAnswers {
+  margins: Margins;
+  check: SpatialCheck;
+  hold: Hold<Vec>;
+  best: SpatialBest;
+  efforts: { efforts: (number | null)[] };
+  planes: { planes: Plane[] };
 }
 
 /** A grasp that has no meaning: the words of the command line. */
 export class BadGrasp extends Error {}
 
-async function unpacked(text: string): Promise<ArrayBuffer> {
-  const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Response(stream).arrayBuffer();
+let call: (request: string) => string;
+
+/** To be called once, before anything is asked. */
+export async function start(wasm: ArrayBuffer): Promise<void> {
+  call = await load(wasm);
 }
 
-const core = await create({ wasmBinary: await unpacked(packed) });
+/** The answer, or the words for what is wrong with the request. */
+function answer(request: unknown, words: (error: { path: string; problem: string; message: string }) => string) {
+  const found = JSON.parse(call(JSON.stringify(request)));
+  if (found.error) throw new BadGrasp(words(found.error));
+  return found;
+}
 
-export function ask<Command extends keyof Answers>(
+const onField = ({ path, problem }: { path: string; problem: string }) => (path ? `${path}: ${problem}` : problem);
+
+export const ask = <Command extends keyof PlanarAnswers>(
   command: Command,
-  grasp: Grasp,
+  grasp: PlanarGrasp,
   options: { angle_deg?: number; domain?: Domain } = {},
-): Answers[Command] {
-  const request = JSON.stringify({ command, grasp, ...options });
-  const answer = JSON.parse(core.ccall('poise_answer', 'string', ['string'], [request]));
-  if (answer.error) {
-    const { path, problem } = answer.error;
-    throw new BadGrasp(path ? `${path}: ${problem}` : problem);
-  }
-  return answer;
+): PlanarAnswers[Command] => answer({ command, grasp, ...options }, onField);
+
+export const askSpatial = <Command extends keyof SpatialAnswers>(
+  command: Command,
+  grasp: SpatialGrasp,
+  options: { up?: Vec; ups?: readonly Vec[]; cuts?: Cut[] } = {},
+): SpatialAnswers[Command] => answer({ command, grasp, ...options }, onField);
+
+/** The grasp that a file spells, in YAML or JSON. */
+export function read(bytes: Uint8Array, file: string): Grasp {
+  const digits = Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
+  return answer({ command: 'read', file, ...(digits && { bytes: digits }) }, ({ message }) => message);
 }

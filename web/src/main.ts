@@ -1,99 +1,360 @@
 import './style.css';
-import type { Domain, Grasp } from './grasp';
-import { Controls, drawMinima } from './panel';
+import { decompress } from 'fzstd';
+import packed from 'virtual:core';
+import { BodyView } from './body';
+import { BadGrasp, read, start, type AnyHold, type Margins } from './core';
+import { asPng, asSvg, fileName, fromLink, keep, toLink, yaml, type Picture } from './files';
+import type { Grasp, PlanarGrasp, SpatialGrasp, Vec } from './grasp';
+import type { Triangles } from './mesh';
+import { drawMinima, drawSpatialMinima, PlanarControls, SpatialControls } from './panel';
 import { asPaper } from './paper';
 import { Plot } from './plot';
 import { first, presets } from './presets';
 import { Scene } from './scene';
-import { Model } from './state';
-import { degrees, newtons, plain } from './words';
-import { why } from './why';
+import { SpatialModel } from './space';
+import { SphereView } from './sphere';
+import { PlanarModel } from './state';
+import { degrees, fixed, newtons, plain } from './words';
+import { why, whyInSpace } from './why';
 
 const find = <Kind extends HTMLElement>(id: string) => document.getElementById(id) as Kind;
 
-/** The grasp that `poise view` wrote into the page. */
-const given: Grasp | null = JSON.parse(find('grasp').textContent ?? 'null');
-const all = new Map(presets.flatMap(({ grasps }) => grasps.map(({ label, grasp }) => [label, grasp])));
+const wasm = decompress(Uint8Array.from(atob(packed), (character) => character.charCodeAt(0))).slice().buffer;
+await start(wasm);
 
-const begin = given ?? all.get(first)!;
-const model = new Model(begin);
-const scene = new Scene(find('scene'), model);
-const plot = new Plot(find('plot'), model);
-const controls = new Controls(find('controls'), model);
-
-const select = find<HTMLSelectElement>('preset');
-if (given) {
-  const label = given.name ?? 'your grasp';
-  select.append(new Option(label, '', true, true));
-  document.title = `${label} – Poise`;
+/** A grasp in the plane, or in space: its model, its views. */
+interface Sheet<Kind extends Grasp> {
+  /** @throws BadGrasp, and nothing changes. */
+  load(grasp: Kind, mesh?: Triangles): void;
+  draw(): void;
+  /** The grasp as it is shown, in its posture. */
+  current(): Kind;
+  pictures(): Picture[];
+  /** To a posture as results tell it, and the effort that it needs there. */
+  turnTo(posture: { angle_deg?: number; up: readonly number[] }): number | undefined;
 }
+
+/** What is said of a file or a link, until something else is done. */
+let notice = { text: '', bad: false };
+
+function paragraphs(words: string[]): HTMLElement[] {
+  return words.map((each) => {
+    const paragraph = document.createElement('p');
+    paragraph.textContent = each;
+    return paragraph;
+  });
+}
+
+function drawWords(at: string, hold: AnyHold, reasons: string[], problem: string, warnings: string[]): void {
+  find('verdict').textContent = hold.holdable
+    ? `At ${at} ${hold.manner}: force norm √V ${newtons(hold.force_norm)}, effort V ${plain(hold.effort)} N², grip force ${newtons(hold.grip_force)}`
+    : `At ${at} it cannot be held`;
+  find('verdict').classList.toggle('not-held', !hold.holdable);
+  find('why').replaceChildren(...paragraphs(reasons));
+  find('problem').textContent = notice.text || problem || warnings.map((line) => line.replace(/^\S+: /, '')).join(' ');
+  find('problem').classList.toggle('bad', notice.text ? notice.bad : problem !== '');
+}
+
+/** What a posture would still hold takes some tens of holds: told as soon as nothing moves. */
+class Rest {
+  private of: unknown;
+  private margins: Margins | undefined;
+  private timer = 0;
+  constructor(private readonly ask: () => Margins, private readonly then: () => void) {}
+
+  at(hold: AnyHold): Margins | undefined {
+    if (this.of === hold) return this.margins;
+    this.of = hold;
+    this.margins = undefined;
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => {
+      this.margins = this.ask();
+      this.then();
+    }, 150);
+    return undefined;
+  }
+}
+
+class PlaneSheet implements Sheet<PlanarGrasp> {
+  private readonly model: PlanarModel;
+  private readonly scene: Scene;
+  private readonly plot: Plot;
+  private readonly controls: PlanarControls;
+  private readonly rest: Rest = new Rest(() => this.model.margins(), () => sheet === this && this.draw());
+  private readonly boxes = {
+    squared: find<HTMLInputElement>('squared'),
+    logarithmic: find<HTMLInputElement>('logarithmic'),
+    bounds: find<HTMLInputElement>('bounds'),
+  };
+  private readonly pinched = find<HTMLInputElement>('pinched');
+
+  constructor(grasp: PlanarGrasp) {
+    this.model = new PlanarModel(grasp);
+    this.scene = new Scene(find('plane'), this.model);
+    this.plot = new Plot(find('plot'), this.model);
+    this.controls = new PlanarControls(find('controls'), this.model);
+    for (const key of ['squared', 'logarithmic', 'bounds'] as const)
+      this.boxes[key].addEventListener('change', () => {
+        this.plot.view[key] = this.boxes[key].checked;
+        this.draw();
+      });
+    this.pinched.addEventListener('change', () => this.model.choose(this.pinched.checked ? 'pinched' : 'all'));
+    this.model.onChange(() => sheet === this && this.draw());
+    this.suit();
+  }
+
+  private suit(): void {
+    this.plot.suitScale();
+    this.boxes.logarithmic.checked = this.plot.view.logarithmic;
+    this.pinched.checked = this.model.domain === 'pinched';
+  }
+
+  load(grasp: PlanarGrasp): void {
+    this.model.load(grasp);
+    this.suit();
+    this.controls.forget();
+  }
+
+  current(): PlanarGrasp {
+    const { grasp, angle, domain } = this.model;
+    return { ...structuredClone(grasp), angle_deg: angle, ...(domain === 'pinched' && { domain }) };
+  }
+
+  pictures(): Picture[] {
+    return [{ overlay: this.scene.picture }, { overlay: this.plot.picture }];
+  }
+
+  turnTo({ angle_deg }: { angle_deg?: number }): number | undefined {
+    if (angle_deg === undefined) return undefined;
+    this.model.turnTo(angle_deg);
+    return this.model.effortAt(angle_deg);
+  }
+
+  draw(): void {
+    const { answers, angle, problem } = this.model;
+    this.scene.draw();
+    this.boxes.bounds.disabled = !asPaper(answers.grasp) || this.plot.view.squared;
+    this.boxes.bounds.parentElement!.hidden = !asPaper(answers.grasp);
+    find('key-cradled').hidden = !answers.check.cradled_deg;
+    find('key-unholdable').hidden = !answers.best.unholdable_arcs.length;
+    this.plot.draw();
+    this.controls.draw();
+    drawMinima(find('minima'), this.model);
+    drawWords(degrees(angle), answers.hold, why(answers, this.rest.at(answers.hold), angle, this.model.optimum()), problem, answers.check.warnings);
+  }
+}
+
+class SpaceSheet implements Sheet<SpatialGrasp> {
+  private readonly model: SpatialModel;
+  private readonly scene: BodyView;
+  private readonly sphere: SphereView;
+  private readonly controls: SpatialControls;
+  private readonly rest: Rest = new Rest(() => this.model.margins(), () => sheet === this && this.draw());
+
+  constructor(grasp: SpatialGrasp, mesh?: Triangles) {
+    this.model = new SpatialModel(wasm, grasp, mesh);
+    this.scene = new BodyView(find('space'), this.model);
+    this.sphere = new SphereView(find('sphere'), this.model);
+    this.controls = new SpatialControls(find('controls'), this.model);
+    const certificate = find<HTMLInputElement>('certificate');
+    certificate.addEventListener('change', () => {
+      this.sphere.certificate = certificate.checked;
+      this.draw();
+    });
+    this.model.onChange(() => sheet === this && this.draw());
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => sheet === this && this.draw());
+  }
+
+  load(grasp: SpatialGrasp, mesh?: Triangles): void {
+    this.model.load(grasp, mesh);
+    this.controls.forget();
+  }
+
+  current(): SpatialGrasp {
+    return { ...structuredClone(this.model.grasp), up: this.model.up };
+  }
+
+  pictures(): Picture[] {
+    return [this.scene.image, { ...this.sphere.image, legend: this.sphere.legend }];
+  }
+
+  turnTo({ up }: { up: readonly number[] }): number | undefined {
+    if (up?.length !== 3) return undefined;
+    this.model.turnTo(up as unknown as Vec);
+    return this.model.effortAt(up as unknown as Vec);
+  }
+
+  draw(): void {
+    const { answers, found, up, problem, outdated } = this.model;
+    this.scene.draw();
+    this.sphere.draw();
+    this.controls.draw();
+    find('key-outside').hidden = !found.sphere?.efforts.includes(null);
+    find('proof').hidden = !this.sphere.certificate;
+    find('proof').textContent = this.sphere.said();
+    drawSpatialMinima(find('minima'), this.model);
+    const at = `up (${up.map((part) => fixed(part, 3)).join(', ')})`;
+    drawWords(at, answers.hold, whyInSpace(this.model, this.rest.at(answers.hold)), problem, answers.check.warnings);
+    document.body.dataset.settled = outdated ? '' : '1';
+  }
+}
+
+interface Shown {
+  grasp: Grasp;
+  mesh?: Triangles;
+}
+
+let plane: PlaneSheet | undefined;
+let space: SpaceSheet | undefined;
+let sheet: PlaneSheet | SpaceSheet | undefined;
+
+/** Shows a grasp; one without meaning is refused, and nothing changes. */
+function show({ grasp, mesh }: Shown): void {
+  if (grasp.dimension === 2) {
+    if (plane) plane.load(grasp);
+    else plane = new PlaneSheet(grasp);
+    sheet = plane;
+  } else {
+    if (space) space.load(grasp, mesh);
+    else space = new SpaceSheet(grasp, mesh);
+    sheet = space;
+  }
+  for (const [id, dimension] of [['plane', 2], ['plot', 2], ['space', 3], ['sphere', 3]] as const)
+    find(id).hidden = grasp.dimension !== dimension;
+  sheet.draw();
+}
+
+/** The grasp that `poise view` wrote into the page, and what it looks like if its shape is a mesh. */
+const [given, mesh]: [Grasp | null, Triangles | null] = ['grasp', 'mesh'].map((id) => JSON.parse(find(id).textContent ?? 'null')) as [Grasp | null, Triangles | null];
+const all: (Shown & { label: string })[] = presets.flatMap(({ grasps }) => grasps);
+const select = find<HTMLSelectElement>('preset');
 for (const { group, grasps } of presets) {
   const options = document.createElement('optgroup');
   options.label = group;
-  options.append(...grasps.map(({ label }) => new Option(label, label, !given && label === first, !given && label === first)));
+  options.append(...grasps.map(({ label }) => new Option(label, String(all.findIndex((each) => each.label === label)))));
   select.append(options);
 }
+const chosen = () => all[Number(select.value)]!;
 
-const squared = find<HTMLInputElement>('squared');
-const logarithmic = find<HTMLInputElement>('logarithmic');
-const pinched = find<HTMLInputElement>('pinched');
-const bounds = find<HTMLInputElement>('bounds');
-
-function suit(): void {
-  plot.suitScale();
-  logarithmic.checked = plot.view.logarithmic;
-  pinched.checked = model.domain === 'pinched';
+/** Shows a grasp from elsewhere, which can be chosen again. */
+function offer(shown: Shown, label: string): void {
+  show(shown);
+  const index = all.push({ label, ...shown }) - 1;
+  select.prepend(new Option(label, String(index), true, true));
+  select.value = String(index);
+  document.title = `${label} – Poise`;
 }
 
-select.addEventListener('change', () => {
-  model.load(select.value ? all.get(select.value)! : given!);
-  suit();
+function say(text: string, bad = false): void {
+  notice = { text, bad };
+  sheet?.draw();
+  if (text) find('problem').scrollIntoView({ block: 'nearest' });
+}
+
+/** Opens a grasp file or a result; a bad one changes nothing, and the words are the command line's. */
+function open(bytes: Uint8Array, name: string): void {
+  try {
+    const result = resultIn(bytes);
+    if (result) return void say(follow(result, name), true);
+    const grasp = read(bytes, name);
+    offer({ grasp }, grasp.name ?? name);
+    say('');
+  } catch (error) {
+    if (!(error instanceof BadGrasp)) throw error;
+    say(error.message, true);
+  }
+}
+
+interface Result {
+  poise_result: number;
+  up?: readonly number[];
+  angle_deg?: number;
+  effort?: number;
+  best?: { up: readonly number[]; angle_deg?: number; effort: number } | null;
+}
+
+function resultIn(bytes: Uint8Array): Result | undefined {
+  try {
+    const found = JSON.parse(new TextDecoder().decode(bytes));
+    return typeof found?.poise_result === 'number' ? found : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+/** Turns the object as a result says; words where it does not fit what is shown. */
+function follow(result: Result, name: string): string {
+  const posture = result.best ?? result;
+  if (!Array.isArray(posture.up) || !sheet) return `${name}: is a result without a posture to show`;
+  const { up, angle_deg, effort } = posture;
+  const here = sheet.turnTo({ up, ...(typeof angle_deg === 'number' && { angle_deg }) });
+  const fits = here === effort || (here !== undefined && effort !== undefined && Math.abs(here - effort) < 1e-6 * effort);
+  if (fits) return '';
+  const needs = (value: number | undefined) => (value === undefined ? 'cannot be held' : `needs ${plain(value)} N²`);
+  return `${name}: is of another grasp than the one that is shown: there its posture ${needs(effort)}, here it ${needs(here)}`;
+}
+
+/** More than is ever read is not needed to refuse it. */
+const most = 2 ** 20 + 8;
+const openFile = async (file: File | undefined) => {
+  if (file) open(new Uint8Array(await (file.size > most && !file.name.endsWith('.json') ? file.slice(0, most) : file).arrayBuffer()), file.name);
+};
+
+async function openLink(): Promise<boolean> {
+  const bytes = await fromLink(location.hash);
+  if (bytes) open(bytes, 'link');
+  return bytes !== undefined;
+}
+
+async function save(as: string): Promise<void> {
+  const grasp = sheet!.current();
+  const name = fileName(grasp);
+  if (as === 'yaml') keep(yaml(grasp), 'application/yaml', `${name}.yaml`);
+  if (as === 'json') keep(`${JSON.stringify(grasp, null, 2)}\n`, 'application/json', `${name}.json`);
+  if (as === 'svg') keep(asSvg(sheet!.pictures()).text, 'image/svg+xml', `${name}.svg`);
+  if (as === 'png') keep(await asPng(sheet!.pictures()), 'image/png', `${name}.png`);
+  if (as !== 'link') return;
+  history.replaceState(null, '', `#${await toLink(grasp)}`);
+  const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+  say(`The address of this page now holds the grasp${copied ? ', and is copied' : ''}.`);
+}
+
+select.addEventListener('change', () => show(chosen()));
+find('reset').addEventListener('click', () => show(chosen()));
+find('open').addEventListener('click', () => find('file').click());
+find<HTMLInputElement>('file').addEventListener('change', async ({ target }) => {
+  const input = target as HTMLInputElement;
+  await openFile(input.files?.[0]);
+  input.value = '';
 });
-for (const [box, key] of [[squared, 'squared'], [logarithmic, 'logarithmic'], [bounds, 'bounds']] as const)
-  box.addEventListener('change', () => {
-    plot.view[key] = box.checked;
-    draw();
+const menu = find<HTMLDetailsElement>('save');
+for (const button of menu.querySelectorAll('button'))
+  button.addEventListener('click', () => {
+    menu.open = false;
+    void save(button.dataset.as!);
   });
-pinched.addEventListener('change', () => {
-  const domain: Domain = pinched.checked ? 'pinched' : 'all';
-  model.choose(domain);
+addEventListener('keydown', ({ key }) => key === 'Escape' && (menu.open = false));
+addEventListener('pointerdown', ({ target }) => menu.contains(target as Node) || (menu.open = false));
+// What was said of a file is over as soon as something else is done.
+for (const kind of ['pointerdown', 'input', 'change'])
+  document.addEventListener(kind, () => notice.text && say(''), { capture: true });
+addEventListener('hashchange', () => void openLink());
+addEventListener('dragover', (event) => {
+  event.preventDefault();
+  document.body.classList.add('dropping');
 });
-find('reset').addEventListener('click', () => {
-  model.load(select.value ? all.get(select.value)! : given!);
-  suit();
+addEventListener('dragleave', () => document.body.classList.remove('dropping'));
+addEventListener('drop', (event) => {
+  event.preventDefault();
+  document.body.classList.remove('dropping');
+  void openFile(event.dataTransfer?.files[0]);
 });
 
-function draw(): void {
-  const { answers, angle } = model;
-  const { hold } = answers;
-  scene.draw();
-  const paper = asPaper(answers.grasp);
-  bounds.disabled = !paper || plot.view.squared;
-  bounds.parentElement!.hidden = !paper;
-  find('key-cradled').hidden = !answers.check.cradled_deg;
-  find('key-unholdable').hidden = !answers.best.unholdable_arcs.length;
-  plot.draw();
-  controls.draw();
-  drawMinima(find('minima'), model);
-  find('verdict').textContent = hold.holdable
-    ? `At ${degrees(angle)} ${hold.manner}: force norm √V ${newtons(hold.force_norm)}, effort V ${plain(hold.effort)} N², grip force ${newtons(hold.grip_force)}`
-    : `At ${degrees(angle)} it cannot be held`;
-  find('verdict').classList.toggle('not-held', !hold.holdable);
-  find('why').replaceChildren(
-    ...why(answers, angle, model.optimum()).map((words) => {
-      const paragraph = document.createElement('p');
-      paragraph.textContent = words;
-      return paragraph;
-    }),
-  );
-  const problem = find('problem');
-  problem.textContent = model.problem || answers.check.warnings.map((line) => line.replace(/^\S+: /, '')).join(' ');
-  problem.classList.toggle('bad', model.problem !== '');
+if (given) offer({ grasp: given, ...(mesh && { mesh }) }, given.name ?? 'your grasp');
+else {
+  select.value = String(all.findIndex(({ label }) => label === first));
+  show(chosen());
 }
-
-model.onChange(draw);
-suit();
-draw();
-new ResizeObserver(draw).observe(document.body);
+await openLink();
+new ResizeObserver(() => sheet?.draw()).observe(document.body);
 document.body.dataset.ready = '1';
-

@@ -1,15 +1,18 @@
-/** The WebAssembly core as emscripten writes it. */
+/** bindings/wasm/poise.mjs */
 declare module '@core' {
-  export interface Core {
-    ccall(name: 'poise_answer', result: 'string', types: ['string'], values: [string]): string;
-  }
-  export default function create(options: { wasmBinary: ArrayBuffer }): Promise<Core>;
+  export function load(wasm: ArrayBuffer): Promise<(request: string) => string>;
 }
 
-/** Its WebAssembly, gzip as base64. */
+/** Its WebAssembly, zstd as base64. */
 declare module 'virtual:core' {
   const text: string;
   export default text;
+}
+
+/** A script as a worker, within the page. */
+declare module '*?worker&inline' {
+  const Inlined: new () => Worker;
+  export default Inlined;
 }
 
 /** A grasp file of examples/, as JSON. */

@@ -1,13 +1,17 @@
 // Numbers to type and to slide, and tables of what they lead to.
-import type { Contact } from './grasp';
+import type { AnyHold, Kind } from './core';
+import { scenariosOf, type Contact, type Vec } from './grasp';
 import { symbol } from './plot';
-import type { Model } from './state';
+import type { SpatialModel } from './space';
+import type { PlanarModel } from './state';
 import { node } from './svg';
-import { degrees, newtons, percent, plain } from './words';
+import { length, unit } from './turn';
+import { degrees, fixed, newtons, percent, plain } from './words';
 
+type AnyHeld = Extract<AnyHold, { holdable: true }>;
 type Attributes = Record<string, string>;
 
-function html<Name extends keyof HTMLElementTagNameMap>(
+export function html<Name extends keyof HTMLElementTagNameMap>(
   name: Name,
   attributes: Attributes = {},
   ...children: (Node | string)[]
@@ -42,14 +46,29 @@ class NumberField {
   }
 }
 
-export class Controls {
-  private fields: NumberField[] = [];
+/** What controls need of a model, in the plane and in space. */
+interface Held {
+  grasp: { name?: string; contacts: Contact<unknown>[] };
+  answers: { check: { contacts: { finger: string }[] }; hold: AnyHold };
+  edit(change: () => void): void;
+}
+
+abstract class Controls<Model extends Held> {
+  protected fields: NumberField[] = [];
   private forces: HTMLElement[] = [];
   private shown = '';
   constructor(
     private readonly parent: HTMLElement,
-    private readonly model: Model,
+    protected readonly model: Model,
   ) {}
+
+  protected abstract rows(): HTMLElement[];
+  protected abstract soft: boolean;
+
+  /** Another grasp is shown. */
+  forget(): void {
+    this.shown = '';
+  }
 
   draw(): void {
     const { contacts, name } = this.model.grasp;
@@ -68,108 +87,168 @@ export class Controls {
     });
   }
 
-  private field(...parameters: ConstructorParameters<typeof NumberField>): HTMLInputElement {
+  private build(): void {
+    this.fields = [];
+    this.forces = [];
+    this.parent.replaceChildren(html('div', { class: 'rows' }, ...this.rows()), this.contactTable());
+  }
+
+  protected field(...parameters: ConstructorParameters<typeof NumberField>): HTMLInputElement {
     const field = new NumberField(...parameters);
     this.fields.push(field);
     return field.element;
   }
 
-  private build(): void {
-    this.fields = [];
-    this.forces = [];
-    const { model } = this;
-    const { weight } = model.grasp.object;
-    const object = () => model.grasp.object;
-    const number = (write: (value: number) => void) => (value: number | undefined) => {
-      if (value !== undefined) write(value);
-    };
-    const setWeight = number((value) => model.edit((grasp) => void (grasp.object.weight = value)));
-    const setAngle = number((value) => model.turnTo(value));
-    const setCom = (k: 0 | 1) =>
-      number((value) =>
-        model.edit(({ object }) => {
-          object.com = k === 0 ? [value, object.com[1]] : [object.com[0], value];
-        }),
-      );
-    const most = String(Number((3 * weight).toPrecision(2)));
-    const step = String(10 ** Math.floor(Math.log10(weight) - 1));
-    const place = String(10 ** Math.floor(Math.log10(model.frame.radius) - 2));
-    this.parent.replaceChildren(
-      html('div', { class: 'rows' },
-        html('label', {}, 'Posture',
-          this.field('Posture, slider [degrees]', 'range', { min: '-180', max: '180', step: 'any' }, () => model.angle, setAngle),
-          this.field('Posture [degrees]', 'number', { step: '1' }, () => model.angle, setAngle), '°'),
-        html('label', {}, 'Weight',
-          this.field('Weight, slider [N]', 'range', { min: step, max: most, step: 'any' }, () => object().weight, setWeight),
-          this.field('Weight [N]', 'number', { step, min: '0' }, () => object().weight, setWeight), 'N'),
-        html('label', {}, 'Centre of mass',
-          html('span', { class: 'pair' },
-            this.field('Centre of mass, x [m]', 'number', { step: place }, () => object().com[0], setCom(0)),
-            this.field('Centre of mass, y [m]', 'number', { step: place }, () => object().com[1], setCom(1))), 'm'),
-      ),
-      this.contactTable(),
-    );
+  protected weight(of: string, object: () => { weight: number } | undefined): HTMLElement {
+    const now = object()!.weight;
+    const write = given((value) => this.model.edit(() => void (object()!.weight = value)));
+    const read = () => object()?.weight;
+    const most = String(Number((3 * now).toPrecision(2)));
+    const step = String(10 ** Math.floor(Math.log10(now) - 1));
+    return html('label', {}, `Weight${of}`,
+      this.field(`Weight${of}, slider [N]`, 'range', { min: step, max: most, step: 'any' }, read, write),
+      this.field(`Weight${of} [N]`, 'number', { step, min: '0' }, read, write), 'N');
+  }
+
+  protected centre(of: string, size: number, object: () => { com: readonly number[] } | undefined): HTMLElement {
+    const step = String(10 ** Math.floor(Math.log10(size) - 2));
+    const part = (axis: string, k: number) =>
+      this.field(`Centre of mass${of}, ${axis} [m]`, 'number', { step }, () => object()?.com[k],
+        given((value) => this.model.edit(() => void (object()!.com = object()!.com.map((old, i) => (i === k ? value : old))))));
+    const axes = ['x', 'y', 'z'].slice(0, object()!.com.length);
+    return html('label', {}, `Centre of mass${of}`, html('span', { class: 'pair' }, ...axes.map(part)), 'm');
   }
 
   private contactTable(): HTMLElement {
-    const { model } = this;
-    const rows = model.grasp.contacts.map((given, i) => {
+    const { model, soft } = this;
+    const rows = model.grasp.contacts.map((contact, i) => {
       // A field that loses the focus because it vanishes is asked once more.
-      const of = (): Contact | undefined => model.grasp.contacts[i];
+      const of = () => model.grasp.contacts[i];
       const finger = model.answers.check.contacts[i]!.finger;
-      const named = `${finger}${given.finger ? '' : ` (contact ${i})`}`;
-      const change = (write: (contact: Contact) => void) => model.edit(({ contacts }) => write(contacts[i]!));
-      const friction = (value: number | undefined) => {
-        if (value !== undefined) change((contact) => void (contact.friction = value));
-      };
+      const named = `${finger}${contact.finger ? '' : ` (contact ${i})`}`;
+      const change = (write: (contact: Contact<unknown>) => void) => model.edit(() => write(model.grasp.contacts[i]!));
+      const number = (key: 'friction' | 'torsion') =>
+        given((value) => change((each) => void (each[key] = value)));
       const limit = (key: 'min_normal' | 'max_normal') => (value: number | undefined) =>
-        change((contact) => {
-          if (value === undefined) delete contact[key];
-          else contact[key] = value;
+        change((each) => {
+          if (value === undefined) delete each[key];
+          else each[key] = value;
         });
       const force = html('td', { class: 'number' });
       this.forces.push(force);
       return html('tr', {},
         html('th', { scope: 'row' }, finger),
         html('td', {},
-          this.field(`Friction of ${named}, slider`, 'range', { min: '0', max: '2', step: '0.01' }, () => of()?.friction, friction),
-          this.field(`Friction of ${named}`, 'number', { min: '0', step: '0.01' }, () => of()?.friction, friction)),
+          this.field(`Friction of ${named}, slider`, 'range', { min: '0', max: '2', step: '0.01' }, () => of()?.friction, number('friction')),
+          this.field(`Friction of ${named}`, 'number', { min: '0', step: '0.01' }, () => of()?.friction, number('friction'))),
+        ...(soft ? [html('td', {}, this.field(`Torsion of ${named} [m]`, 'number', { min: '0', step: 'any', placeholder: '0' }, () => of()?.torsion, number('torsion')))] : []),
         html('td', {}, this.field(`Least normal force of ${named} [N]`, 'number', { min: '0', step: 'any', placeholder: '0' }, () => of()?.min_normal, limit('min_normal'))),
         html('td', {}, this.field(`Greatest normal force of ${named} [N]`, 'number', { min: '0', step: 'any', placeholder: '∞' }, () => of()?.max_normal, limit('max_normal'))),
         force,
         html('td', { class: 'number' }),
       );
     });
-    const heads = ['finger', 'friction μ', 'least [N]', 'most [N]', 'normal', 'used'];
+    const heads = ['finger', 'friction μ', ...(soft ? ['torsion [m]'] : []), 'least [N]', 'most [N]', 'normal', 'used'];
     return html('div', { class: 'scroll' },
-      html('table', {},
+      html('table', { class: soft ? 'soft' : '' },
         html('thead', {}, html('tr', {}, ...heads.map((head) => html('th', { scope: 'col' }, head)))),
         html('tbody', {}, ...rows)));
   }
 }
 
-/** The minima, each to be gone to. */
-export function drawMinima(parent: HTMLElement, model: Model): void {
-  const { curve, best } = model.answers;
-  const minima = curve.optima.filter((each) => each.type === 'min');
+/** An empty field leaves things as they are. */
+const given = (write: (value: number) => void) => (value: number | undefined) => {
+  if (value !== undefined) write(value);
+};
+
+export class PlanarControls extends Controls<PlanarModel> {
+  protected soft = false;
+
+  protected rows(): HTMLElement[] {
+    const { model } = this;
+    const object = () => model.grasp.object;
+    const turn = given((value) => model.turnTo(value));
+    return [
+      html('label', {}, 'Posture',
+        this.field('Posture, slider [degrees]', 'range', { min: '-180', max: '180', step: 'any' }, () => model.angle, turn),
+        this.field('Posture [degrees]', 'number', { step: '1' }, () => model.angle, turn), '°'),
+      this.weight('', object),
+      this.centre('', model.frame.radius, object as () => { com: readonly number[] }),
+    ];
+  }
+}
+
+export class SpatialControls extends Controls<SpatialModel> {
+  protected soft = true;
+
+  protected rows(): HTMLElement[] {
+    const { model } = this;
+    const count = scenariosOf(model.grasp).length;
+    const part = (axis: string, k: number) =>
+      this.field(`Up, ${axis}`, 'number', { step: '0.1', min: '-1', max: '1' }, () => model.up[k], given((value) => {
+        const to = model.up.map((old, i) => (i === k ? value : old)) as unknown as Vec;
+        if (length(to) > 0) model.turnTo(unit(to));
+      }));
+    return [
+      html('label', {}, 'Up', html('span', { class: 'pair' }, ...['x', 'y', 'z'].map(part))),
+      ...Array.from({ length: count }, (_, k) => {
+        const scenario = () => scenariosOf(model.grasp)[k];
+        const of = count > 1 ? ` ${k}` : '';
+        return [this.weight(of, scenario), this.centre(of, model.frame.radius, scenario as () => { com: readonly number[] } | undefined)];
+      }).flat(),
+    ];
+  }
+}
+
+/** The minima, each to be gone to: most important first. */
+function buttons(parent: HTMLElement, rows: { kind: Kind; first: string; hold: AnyHeld; what: string; role: string; here: boolean; go: () => void; data: Attributes }[]): void {
   const focused = [...parent.querySelectorAll('button')].indexOf(document.activeElement as HTMLButtonElement);
-  const here = model.optimum();
   parent.replaceChildren(
-    ...minima.slice(0, 8).map((each) => {
-      const mark = node('svg', { viewBox: '-8 -8 16 16', class: 'mark', 'aria-hidden': 'true' }, node('path', { d: symbol(each.kind, [0, 0]) }));
-      const role =
-        each.angle_deg === best.best?.angle_deg ? 'best' : each.angle_deg === best.best_pinched?.angle_deg ? 'best pinched' : '';
-      const button = html('button', { type: 'button', 'data-angle': String(each.angle_deg), 'data-effort': String(each.effort) },
+    ...rows.slice(0, 8).map(({ kind, first, hold, what, role, here, go, data }) => {
+      const mark = node('svg', { viewBox: '-8 -8 16 16', class: 'mark', 'aria-hidden': 'true' }, node('path', { d: symbol(kind, [0, 0]) }));
+      const button = html('button', { type: 'button', ...data, 'data-effort': String(hold.effort) },
         mark,
-        html('span', { class: 'angle' }, degrees(each.angle_deg)),
-        html('span', { class: 'force' }, `${plain(each.force_norm)} N`),
-        html('span', { class: 'grip' }, `grip ${newtons(each.grip_force)}`),
-        html('span', { class: 'what' }, `${each.manner}, ${each.kind}`),
+        html('span', { class: 'angle' }, first),
+        html('span', { class: 'force' }, `${plain(hold.force_norm)} N`),
+        html('span', { class: 'grip' }, `grip ${newtons(hold.grip_force)}`),
+        html('span', { class: 'what' }, what),
         html('strong', {}, role));
-      if (here === each) button.setAttribute('aria-current', 'true');
-      button.addEventListener('click', () => model.turnTo(each.angle_deg));
+      if (here) button.setAttribute('aria-current', 'true');
+      button.addEventListener('click', go);
       return button;
     }),
   );
   parent.querySelectorAll('button')[focused]?.focus();
+}
+
+export function drawMinima(parent: HTMLElement, model: PlanarModel): void {
+  const { curve, best } = model.answers;
+  const here = model.optimum();
+  parent.classList.remove('late', 'space');
+  buttons(parent, curve.optima.filter((each) => each.type === 'min').map((each) => ({
+    kind: each.kind,
+    first: degrees(each.angle_deg),
+    hold: each,
+    what: `${each.manner}, ${each.kind}`,
+    role: each.angle_deg === best.best?.angle_deg ? 'best' : each.angle_deg === best.best_pinched?.angle_deg ? 'best pinched' : '',
+    here: here === each,
+    go: () => model.turnTo(each.angle_deg),
+    data: { 'data-angle': String(each.angle_deg) },
+  })));
+}
+
+export function drawSpatialMinima(parent: HTMLElement, model: SpatialModel): void {
+  const { best } = model.found;
+  parent.classList.toggle('late', model.outdated);
+  parent.classList.add('space');
+  buttons(parent, (best?.minima ?? []).map((each, k) => ({
+    kind: 'smooth' as const,
+    first: `(${each.up.map((part) => fixed(part, 3)).join(', ')})`,
+    hold: each,
+    what: `${each.manner}${each.scenario === undefined ? '' : `, scenario ${each.scenario}`}`,
+    role: k === 0 ? 'best' : String(each.up) === String(best!.best_pinched?.up) ? 'best pinched' : '',
+    here: model.minimum(model.up) === each,
+    go: () => model.turnTo(each.up),
+    data: { 'data-up': each.up.join() },
+  })));
 }

@@ -1,9 +1,9 @@
 // The disk of the paper: S. Ito et al., Numerical Analysis for Optimal Posture of Circular Object
 // Grasped with Frictions. The bounds are (20)-(25), with the minus sign that (22), (23) lack.
-import type { Grasp, Point } from './grasp';
+import type { PlanarGrasp, Point } from './grasp';
 import { dot, length, radians } from './vector';
 
-export function paperDisk(name: string, phi: number, mu1: number, mu2: number): Grasp {
+export function paperDisk(name: string, phi: number, mu1: number, mu2: number): PlanarGrasp {
   const s = Math.sin(radians(phi));
   const c = Math.cos(radians(phi));
   return {
@@ -27,7 +27,7 @@ export interface PaperView {
   weight: number;
 }
 
-export function asPaper(grasp: Grasp): PaperView | undefined {
+export function asPaper(grasp: PlanarGrasp): PaperView | undefined {
   const { shape, com, weight } = grasp.object;
   const [a, b] = grasp.contacts;
   if (!shape || !('disk' in shape) || length(com) > 1e-9 * shape.disk.radius) return undefined;

@@ -3,7 +3,7 @@ import type { Kind, Optimum, Range } from './core';
 import { contains, effortOn, onAxis, samples } from './curve';
 import type { Point } from './grasp';
 import { alphas, asPaper } from './paper';
-import type { Model } from './state';
+import type { PlanarModel } from './state';
 import { draggable, keySteps, line, node, path, place, set, text } from './svg';
 import { degrees, plain, wrapped } from './words';
 
@@ -17,7 +17,7 @@ const margin = { left: 58, right: 16, top: 14, bottom: 38 };
 
 export class Plot {
   readonly view: View = { squared: false, logarithmic: false, bounds: false };
-  private readonly picture = node('svg', { 'aria-label': 'The least effort over all postures' });
+  readonly picture = node('svg', { 'aria-label': 'The least effort over all postures' });
   private readonly layers = node('g', { class: 'passive' });
   private readonly area = node('rect', { class: 'area' });
   private readonly marks = node('g');
@@ -26,7 +26,7 @@ export class Plot {
 
   constructor(
     parent: HTMLElement,
-    private readonly model: Model,
+    private readonly model: PlanarModel,
   ) {
     this.picture.append(
       node(

@@ -1,3 +1,8 @@
+import bottle from '@examples/bottle.grasp.json';
+import boxHardJaws from '@examples/box-hard-jaws.grasp.json';
+import boxSoftJaws from '@examples/box-soft-jaws.grasp.json';
+import boxThreeFingers from '@examples/box-three-fingers.grasp.json';
+import cylinder from '@examples/cylinder-three-fingers.grasp.json';
 import hexagon from '@examples/hexagon-three-fingers.grasp.json';
 import lPart from '@examples/l-part.grasp.json';
 import type { Grasp } from './grasp';
@@ -22,8 +27,12 @@ export const presets: { group: string; grasps: { label: string; grasp: Grasp }[]
     ).map(([label, phi, mu1, mu2]) => ({ label, grasp: paperDisk(label, phi, mu1, mu2) })),
   },
   {
-    group: 'Examples',
+    group: 'In the plane',
     grasps: [lPart, hexagon].map((grasp) => ({ label: grasp.name ?? 'example', grasp })),
+  },
+  {
+    group: 'In space',
+    grasps: [cylinder, boxThreeFingers, boxHardJaws, boxSoftJaws, bottle].map((grasp) => ({ label: grasp.name ?? 'example', grasp })),
   },
 ];
 export const first = 'Fig. 6: φ = 75°, μ = 1 and 1/√3';

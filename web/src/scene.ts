@@ -2,7 +2,7 @@
 import type { NotHeld, Optimum } from './core';
 import type { Point } from './grasp';
 import { along, nearest, outline } from './shape';
-import type { Model } from './state';
+import type { PlanarModel } from './state';
 import { arrow, draggable, keySteps, line, node, path, place, set, text } from './svg';
 import { add, left, length, minus, times, turned } from './vector';
 import { degrees, newtons, wrapped } from './words';
@@ -34,7 +34,7 @@ class Placement {
 }
 
 export class Scene {
-  private readonly picture: SVGSVGElement;
+  readonly picture: SVGSVGElement;
   private readonly back = node('g');
   private readonly body = node('path', { class: 'body', tabindex: 0, role: 'slider' });
   private readonly cones = node('g', { class: 'passive' });
@@ -46,7 +46,7 @@ export class Scene {
 
   constructor(
     parent: HTMLElement,
-    private readonly model: Model,
+    private readonly model: PlanarModel,
   ) {
     this.picture = node('svg', { 'aria-label': 'The object as it is held, gravity pointing down' });
     this.picture.append(this.back, this.body, this.cones, this.front, this.handles, this.com);
@@ -112,7 +112,7 @@ export class Scene {
   }
 
   /** The object a little further on the motion that gravity drives and no contact opposes. */
-  private fall({ dual }: NotHeld, points: Point[]): Node[] {
+  private fall({ dual }: NotHeld<Point>, points: Point[]): Node[] {
     const { radius } = this.model.frame;
     const [vx, vy, turning] = dual.map((part) => -part) as [number, number, number];
     const far = Math.max(...points.map((p) => length([vx - turning * p[1], vy + turning * p[0]])));

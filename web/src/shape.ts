@@ -1,31 +1,31 @@
 // Outlines: points on them, and ways along them.
-import type { Point, Shape } from './grasp';
+import type { PlanarShape, Point } from './grasp';
 import { add, dot, length, minus, times } from './vector';
 
 const points = 180;
 
 /** The boundary as a closed line, without repeating the first point. */
-export function outline(shape: Shape): Point[] {
+export function outline(shape: PlanarShape): Point[] {
   if ('polygon' in shape) return shape.polygon;
   return Array.from({ length: points }, (_, k) => onEllipse(radii(shape), (2 * Math.PI * k) / points));
 }
 
 /** The point of the boundary nearest to a point; a polygon's corners, which have no normal, apart. */
-export function nearest(shape: Shape, to: Point): Point {
+export function nearest(shape: PlanarShape, to: Point): Point {
   if ('polygon' in shape) return nearestOfPolygon(shape.polygon, to);
   const [a, b] = radii(shape);
   return onEllipse([a, b], nearestParameter([a, b], to));
 }
 
 /** The point of the boundary that lies a way further along it. */
-export function along(shape: Shape, from: Point, way: number): Point {
+export function along(shape: PlanarShape, from: Point, way: number): Point {
   if ('polygon' in shape) return alongPolygon(shape.polygon, from, way);
   const [a, b] = radii(shape);
   const t = nearestParameter([a, b], from);
   return onEllipse([a, b], t + way / Math.hypot(a * Math.sin(t), b * Math.cos(t)));
 }
 
-const radii = (shape: Exclude<Shape, { polygon: Point[] }>): Point =>
+const radii = (shape: Exclude<PlanarShape, { polygon: Point[] }>): Point =>
   'disk' in shape ? [shape.disk.radius, shape.disk.radius] : shape.ellipse.radii;
 
 const onEllipse = ([a, b]: Point, t: number): Point => [a * Math.cos(t), b * Math.sin(t)];

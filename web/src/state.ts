@@ -1,16 +1,16 @@
 // What is shown: a grasp, a posture, and the answers to them.
-import { ask, BadGrasp, type Best, type Check, type Curve, type Hold, type Optimum } from './core';
-import type { Domain, Grasp, Point } from './grasp';
+import { ask, BadGrasp, type Best, type Check, type Curve, type Hold, type Margins, type Optimum } from './core';
+import type { Domain, PlanarGrasp, Point } from './grasp';
 import { outline } from './shape';
 import { length, minus } from './vector';
 import { wrapped } from './words';
 
-export interface Answers {
-  grasp: Grasp;
+export interface PlanarAnswers {
+  grasp: PlanarGrasp;
   check: Check;
   best: Best;
   curve: Curve;
-  hold: Hold;
+  hold: Hold<Point>;
 }
 
 /** The part of the plane that is shown: fixed for a grasp, so that nothing jumps while one drags. */
@@ -19,12 +19,12 @@ export interface Frame {
   radius: number;
 }
 
-export class Model {
-  grasp: Grasp;
+export class PlanarModel {
+  grasp: PlanarGrasp;
   angle = 0;
   domain: Domain = 'all';
   frame: Frame;
-  answers: Answers;
+  answers: PlanarAnswers;
   /** Why the grasp as it is now has no meaning; the answers are then those of the last that had. */
   problem = '';
 
@@ -32,7 +32,7 @@ export class Model {
   private pending = false;
   private readonly listeners: (() => void)[] = [];
 
-  constructor(grasp: Grasp) {
+  constructor(grasp: PlanarGrasp) {
     this.grasp = structuredClone(grasp);
     this.frame = frameOf(grasp);
     this.domain = grasp.domain ?? 'all';
@@ -46,8 +46,8 @@ export class Model {
   }
 
   /** Another grasp; one without meaning is refused, and nothing changes. */
-  load(grasp: Grasp): void {
-    const next = new Model(grasp);
+  load(grasp: PlanarGrasp): void {
+    const next = new PlanarModel(grasp);
     Object.assign(this, { grasp: next.grasp, frame: next.frame, domain: next.domain });
     Object.assign(this, { answers: next.answers, angle: next.angle, problem: '' });
     this.changed(false);
@@ -58,7 +58,7 @@ export class Model {
     this.changed(false);
   }
 
-  edit(change: (grasp: Grasp) => void): void {
+  edit(change: (grasp: PlanarGrasp) => void): void {
     change(this.grasp);
     this.changed(true);
   }
@@ -66,6 +66,15 @@ export class Model {
   choose(domain: Domain): void {
     this.domain = domain;
     this.changed(true);
+  }
+
+  margins(): Margins {
+    return ask('margins', this.answers.grasp, { angle_deg: this.angle });
+  }
+
+  effortAt(angle: number): number | undefined {
+    const hold = ask('hold', this.answers.grasp, { angle_deg: angle });
+    return hold.holdable ? hold.effort : undefined;
   }
 
   /** The optimum within half a degree of a posture: exact, where a hand is not. */
@@ -101,7 +110,7 @@ export class Model {
     });
   }
 
-  private ask(): Answers {
+  private ask(): PlanarAnswers {
     const { domain } = this;
     const grasp = structuredClone(this.grasp);
     return {
@@ -120,7 +129,7 @@ export class Model {
   }
 }
 
-function frameOf({ object, contacts }: Grasp): Frame {
+function frameOf({ object, contacts }: PlanarGrasp): Frame {
   const points = contacts.map((contact) => contact.position);
   points.push(...(object.shape ? outline(object.shape) : [object.com]));
   const middle = (k: 0 | 1) => {

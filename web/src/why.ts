@@ -1,18 +1,24 @@
 // Why the object is held as it is, in words that come from the answer alone.
-import type { Held, Optimum } from './core';
+import type { AnyHold, Held, Margins, Optimum, SpatialBest } from './core';
 import { contains, slope } from './curve';
-import type { Answers } from './state';
+import type { Point, Vec } from './grasp';
+import type { SpatialModel } from './space';
+import type { PlanarAnswers } from './state';
+import { add, angle as between, cross, dot, length, minus, times } from './turn';
+import { radians } from './vector';
 import { degrees, list, newtons, percent, plain, turn, wrapped } from './words';
 
-const name = (answers: Answers, i: number) => {
-  const { contacts } = answers.check;
+type AnyHeld = Extract<AnyHold, { holdable: true }>;
+type Contacts = { finger: string }[];
+
+const name = (contacts: Contacts, i: number) => {
   const { finger } = contacts[i]!;
   if (finger === String(i)) return `contact ${i}`;
   return contacts.filter((each) => each.finger === finger).length > 1 ? `${finger} (contact ${i})` : finger;
 };
 
 /** Paragraphs. */
-export function why(answers: Answers, angle: number, optimum: Optimum | undefined): string[] {
+export function why(answers: PlanarAnswers, margins: Margins | undefined, angle: number, optimum: Optimum | undefined): string[] {
   const { hold, curve, best } = answers;
   if (!hold.holdable) {
     const said = [`${sentence(hold.reason)}`];
@@ -21,12 +27,12 @@ export function why(answers: Answers, angle: number, optimum: Optimum | undefine
     else if (!best.best) said.push('No other posture can be held either.');
     return said;
   }
-  return [contactsInWords(answers, hold), further(answers, angle, hold, optimum), compared(answers, angle)].filter(Boolean);
+  return [contactsInWords(answers.check.contacts, hold), further(answers, angle, hold, optimum), compared(answers, angle), margins ? stillHolds(margins) : ''].filter(Boolean);
 }
 
-function contactsInWords(answers: Answers, hold: Held): string {
-  const named = (test: (each: Held['contacts'][number]) => boolean) =>
-    hold.contacts.flatMap((each, i) => (test(each) ? [name(answers, i)] : []));
+function contactsInWords(contacts: Contacts, hold: AnyHeld): string {
+  const named = (test: (each: AnyHeld['contacts'][number]) => boolean) =>
+    hold.contacts.flatMap((each, i) => (test(each) ? [name(contacts, i)] : []));
   const slipping = named((each) => each.state === 'slipping');
   const unloaded = named((each) => each.state === 'unloaded');
   const least = named((each) => each.limit === 'min' && each.state !== 'unloaded');
@@ -50,10 +56,18 @@ function contactsInWords(answers: Answers, hold: Held): string {
   return `${manner}: ${parts.join('; ')}.`;
 }
 
-const leftOut = ({ best, check }: Answers, angle: number) =>
+/** How much more the posture would hold. */
+function stillHolds({ weight, holdable, greatest_weight, friction_factor }: Margins): string {
+  if (!holdable || friction_factor === null || friction_factor > 1) return '';
+  const load = greatest_weight === null ? 'any weight' : `up to ${newtons(greatest_weight)} (${plain(greatest_weight / weight)} times the weight)`;
+  const friction = friction_factor < 1e-3 ? 'with nearly no friction' : `with no less than ${percent(friction_factor)} of the friction`;
+  return `In this posture the fingers still hold ${load}, and this weight ${friction}.`;
+}
+
+const leftOut = ({ best, check }: PlanarAnswers, angle: number) =>
   best.options.domain === 'pinched' && check.cradled_deg !== null && contains(check.cradled_deg, angle);
 
-function further(answers: Answers, angle: number, hold: Held, optimum: Optimum | undefined): string {
+function further(answers: PlanarAnswers, angle: number, hold: Held<Point>, optimum: Optimum | undefined): string {
   // In newtons of force norm per degree: d sqrt(V) = dV / (2 sqrt(V)).
   const change = (side: 1 | -1) => {
     const effort = slope(answers.curve, angle, side);
@@ -77,7 +91,7 @@ function further(answers: Answers, angle: number, hold: Held, optimum: Optimum |
   return both.replace('counter-clockwise it', 'counter-clockwise the force norm');
 }
 
-function compared(answers: Answers, angle: number): string {
+function compared(answers: PlanarAnswers, angle: number): string {
   const { best, best_pinched } = answers.best;
   const { hold } = answers;
   if (!best || !hold.holdable) return '';
@@ -91,3 +105,42 @@ function compared(answers: Answers, angle: number): string {
 }
 
 const sentence = (words: string) => `${words.charAt(0).toUpperCase()}${words.slice(1)}${words.endsWith('.') ? '' : '.'}`;
+
+/** The same in space, where the best posture may still be looked for. */
+export function whyInSpace(model: SpatialModel, margins: Margins | undefined): string[] {
+  const { check, hold } = model.answers;
+  const best = model.outdated ? undefined : model.found.best;
+  const of = hold.scenario === undefined ? '' : `In scenario ${hold.scenario}, which decides: `;
+  if (!hold.holdable) {
+    const said = [`${of}${of ? hold.reason : sentence(hold.reason)}`];
+    if (best?.status === 'unholdable') said.push(`No ${allowed(model)} posture can be held, which is proven.`);
+    return said;
+  }
+  return [of + contactsInWords(check.contacts, hold), steepest(model, hold), best ? comparedInSpace(model, best) : '', margins ? stillHolds(margins) : ''].filter(Boolean);
+}
+
+const allowed = ({ answers }: SpatialModel) => (answers.check.tilt ? 'allowed' : 'other');
+
+/** V changes with the posture as the load does, by twice the velocity of the com under y. */
+function steepest(model: SpatialModel, hold: Held<Vec>): string {
+  const v = hold.dual.slice(0, 3) as unknown as Vec;
+  const w = hold.dual.slice(3) as unknown as Vec;
+  const { weight, com } = model.scenario;
+  const gradient = times(weight / hold.force_norm, add(v, cross(w, com)));
+  const across = minus(gradient, times(dot(gradient, hold.up), hold.up));
+  const perDegree = length(across) * radians(1);
+  if (model.minimum(hold.up)) return 'A local minimum: no small turn needs less.';
+  if (perDegree < 1e-6 * hold.force_norm) return 'A small turn changes next to nothing.';
+  return `Turned on, the force norm changes by up to ${newtons(perDegree)} per degree; a turn about the vertical changes nothing.`;
+}
+
+function comparedInSpace(model: SpatialModel, { best, best_pinched, status, relative_gap, holds }: SpatialBest): string {
+  if (!best) return '';
+  const here = (each: Held<Vec>) => model.minimum(model.up)?.up.join() === each.up.join();
+  const away = (each: Held<Vec>) => `${plain(each.force_norm)} N, ${degrees((between(each.up, model.up) * 180) / Math.PI)} from here`;
+  const parts = here(best) ? [`No ${allowed(model)} posture needs less`] : [`Least of all: ${away(best)}, ${best.manner}`];
+  parts[0] += status === 'optimal' ? ` (proven by ${holds} holds).` : `, as far as ${holds} holds can tell: to ${percent(relative_gap!)} of the effort.`;
+  if (best_pinched && String(best_pinched.up) !== String(best.up))
+    parts.push(here(best_pinched) ? 'Of the pinched postures none that was found needs less.' : `Least pinched: ${away(best_pinched)}.`);
+  return parts.join(' ');
+}

@@ -1,55 +1,7 @@
-// The page as its users meet it, in Chromium: node test/page.mjs. Pictures go to out/page/.
+// The page in the plane: node test/page.mjs
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, readFileSync } from 'node:fs';
-import { chromium } from 'playwright-core';
-
-const root = new URL('../../', import.meta.url).pathname;
-const out = `${root}out/page/`;
-mkdirSync(out, { recursive: true });
-
-let failures = 0;
-function expect(holds, what, ...seen) {
-  if (holds) return;
-  ++failures;
-  console.error('FAILED', what, ...seen);
-}
-const near = (a, b, relative = 1e-9) => Math.abs(a - b) <= relative * Math.max(Math.abs(a), Math.abs(b), 1);
-
-const browser = await chromium.launch({
-  executablePath: '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-sync',
-    '--disable-background-networking', '--disable-component-update'],
-});
-
-async function open(file, { width = 1280, height = 800, colorScheme = 'light' } = {}) {
-  const page = await browser.newPage({ viewport: { width, height }, colorScheme });
-  page.on('console', (message) => expect(false, 'a console message', message.text()));
-  page.on('pageerror', (error) => expect(false, 'an error', error.stack));
-  page.on('request', (request) => expect(/^(file|data|blob):/.test(request.url()), 'a request', request.url()));
-  const begin = performance.now();
-  await page.goto(`file://${file}`);
-  await page.waitForSelector('body[data-ready="1"]', { timeout: 20000 });
-  page.ready = Math.round(performance.now() - begin);
-  return page;
-}
-const frame = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-const verdict = (page) => page.textContent('#verdict');
-const minima = (page) =>
-  page.$$eval('#minima button', (all) => all.map(({ dataset }) => ({ angle: +dataset.angle, effort: +dataset.effort })));
-async function choose(page, label) {
-  await page.selectOption('#preset', { label });
-  await frame(page);
-}
-async function drag(page, selector, dx, dy) {
-  const box = await page.locator(selector).first().boundingBox();
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + dx / 2, y + dy / 2);
-  await page.mouse.move(x + dx, y + dy);
-  await frame(page);
-  await page.mouse.up();
-}
+import { readFileSync } from 'node:fs';
+import { choose, drag, expect, finish, frame, minima, near, open, out, root, verdict } from './browser.mjs';
 
 const page = await open(`${root}web/dist/playground.html`);
 console.log(`opened in ${page.ready} ms`);
@@ -187,6 +139,4 @@ for (const colorScheme of ['light', 'dark']) {
   await phone.screenshot({ path: `${out}phone-${colorScheme}.png`, fullPage: true });
 }
 
-await browser.close();
-console.log(failures ? `${failures} failures` : `The page is as it should be; pictures in ${out}`);
-process.exit(failures ? 1 : 0);
+await finish();

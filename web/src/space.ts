@@ -1,0 +1,234 @@
+// What is shown of a grasp in space: as state.ts in the plane. The certified best posture and the
+// sphere come from a worker, later than the rest.
+import { askSpatial, BadGrasp, type Held, type Hold, type Margins, type Plane, type SpatialBest, type SpatialCheck } from './core';
+import { scenariosOf, type SpatialGrasp, type Vec } from './grasp';
+import { bodyOf, bodyOfMesh, type Body, type Triangles } from './mesh';
+import { about, after, angle, length, minus, towards, turned, turnedBack, unit, type Turn } from './turn';
+import { radians } from './vector';
+import Worker from './worker?worker&inline';
+import type { Part, Task } from './worker';
+
+export interface SpatialAnswers {
+  grasp: SpatialGrasp;
+  check: SpatialCheck;
+  hold: Hold<Vec>;
+}
+
+/** What the worker found, of the grasp as it is or as it was. */
+export interface Found {
+  best?: SpatialBest;
+  planes?: Plane[];
+  sphere?: { level: number; efforts: (number | null)[] };
+}
+
+export interface Ball {
+  centre: Vec;
+  radius: number;
+}
+
+const up: Vec = [0, 0, 1];
+const found = 2e-5;
+
+export class SpatialModel {
+  grasp: SpatialGrasp;
+  /** The object in the world, whose z is up. */
+  orientation: Turn;
+  frame: Ball;
+  body: Body | undefined;
+  answers: SpatialAnswers;
+  found: Found = {};
+  /** Whether what was found is of another grasp than the one that is shown. */
+  outdated = true;
+  problem = '';
+
+  private stale = false;
+  private pending = false;
+  private moving = 0;
+  private task = 0;
+  private bodyIsOf: unknown;
+  private readonly worker: InstanceType<typeof Worker>;
+  private readonly listeners: (() => void)[] = [];
+
+  constructor(wasm: ArrayBuffer, grasp: SpatialGrasp, private mesh?: Triangles) {
+    this.worker = new Worker();
+    this.worker.postMessage(wasm);
+    this.worker.onmessage = ({ data }: MessageEvent<Part>) => this.receive(data);
+    this.grasp = structuredClone(grasp);
+    this.orientation = hung(grasp);
+    this.answers = this.ask();
+    this.body = this.bodyNow();
+    this.frame = frameOf(this.answers.check, this.body);
+    this.order();
+  }
+
+  onChange(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  /** Another grasp; one without meaning is refused, and nothing changes. */
+  load(grasp: SpatialGrasp, mesh?: Triangles): void {
+    const before = [this.grasp, this.orientation] as const;
+    this.grasp = structuredClone(grasp);
+    this.orientation = hung(grasp);
+    try {
+      this.answers = this.ask();
+    } catch (error) {
+      [this.grasp, this.orientation] = before;
+      throw error;
+    }
+    this.mesh = mesh;
+    this.body = this.bodyNow();
+    this.frame = frameOf(this.answers.check, this.body);
+    this.problem = '';
+    this.found = {};
+    this.order();
+    this.changed(false);
+  }
+
+  /** The direction of the object that points up. */
+  get up(): Vec {
+    return turnedBack(this.orientation, up);
+  }
+
+  /** The scenario that decides. */
+  get scenario() {
+    return this.answers.check.scenarios[this.answers.hold.scenario ?? 0]!;
+  }
+
+  /** The same as it is written in the grasp, to be changed. */
+  get scenarioOfGrasp() {
+    return scenariosOf(this.grasp)[this.answers.hold.scenario ?? 0]!;
+  }
+
+  orient(orientation: Turn): void {
+    this.moving = 0;
+    this.orientation = orientation;
+    this.changed(false);
+  }
+
+  /** By angles about the world's vertical and about the horizontal of the screen [rad]. */
+  turnBy(vertical: number, horizontal: number, from = this.orientation): void {
+    this.orient(after(about([1, 0, 0], horizontal), after(about(up, vertical), from)));
+  }
+
+  /** To a posture, by the smallest turn; it is seen to turn, unless that is not wanted. */
+  turnTo(posture: Vec): void {
+    const from = this.orientation;
+    const way = turnedBack(from, up);
+    const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+    const begin = performance.now();
+    const mine = (this.moving = Math.random());
+    const step = () => {
+      if (this.moving !== mine) return;
+      const part = still ? 1 : Math.min((performance.now() - begin) / 250, 1);
+      // In the object's frame the direction that is up moves from one to the other.
+      const now = unit(turnTowards(way, posture, part * (2 - part)));
+      this.orientation = after(towards(turned(from, part === 1 ? posture : now), up), from);
+      this.changed(false);
+      if (part < 1) requestAnimationFrame(step);
+      else this.moving = 0;
+    };
+    step();
+  }
+
+  edit(change: (grasp: SpatialGrasp) => void): void {
+    change(this.grasp);
+    this.changed(true);
+  }
+
+  margins(): Margins {
+    return askSpatial('margins', this.answers.grasp, { up: this.up });
+  }
+
+  effortAt(posture: Vec): number | undefined {
+    const hold = askSpatial('hold', this.answers.grasp, { up: posture });
+    return hold.holdable ? hold.effort : undefined;
+  }
+
+  /** The minimum that a posture is, within an angle [rad]: as exact as minima are found. */
+  minimum(posture: Vec, within = found): Held<Vec> | undefined {
+    if (this.outdated) return undefined;
+    return this.found.best?.minima.find((each) => angle(each.up, posture) <= within);
+  }
+
+  /** Exact where a hand is not: an orientation next to one in which a minimum is up. */
+  snapped(orientation: Turn): Turn {
+    const near = this.minimum(turnedBack(orientation, up), 0.02);
+    return near ? after(towards(turned(orientation, near.up), up), orientation) : orientation;
+  }
+
+  private changed(grasp: boolean): void {
+    this.stale ||= grasp;
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => {
+      this.pending = false;
+      try {
+        if (this.stale) {
+          this.answers = this.ask();
+          this.body = this.bodyNow();
+          this.order();
+        } else if (!this.problem) this.answers.hold = askSpatial('hold', this.grasp, { up: this.up });
+        this.problem = '';
+      } catch (error) {
+        if (!(error instanceof BadGrasp)) throw error;
+        this.problem = error.message;
+        this.answers.hold = askSpatial('hold', this.answers.grasp, { up: this.up });
+      }
+      this.stale = this.problem !== '';
+      this.tell();
+    });
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+
+  private ask(): SpatialAnswers {
+    const grasp = structuredClone(this.grasp);
+    return { grasp, check: askSpatial('check', grasp), hold: askSpatial('hold', grasp, { up: this.up }) };
+  }
+
+  private order(): void {
+    this.outdated = true;
+    this.worker.postMessage({ id: ++this.task, grasp: this.answers.grasp } satisfies Task);
+  }
+
+  private receive(part: Part): void {
+    if (part.id !== this.task) return;
+    if ('best' in part) Object.assign(this.found, { best: part.best, planes: part.planes });
+    else if ('efforts' in part) this.found.sphere = part;
+    else this.outdated = false;
+    if ('best' in part) this.outdated = false;
+    this.tell();
+  }
+
+  /** The body as it was, unless the shape is another. */
+  private bodyNow(): Body | undefined {
+    const { shape } = this.answers.check;
+    const of = shape ? JSON.stringify(shape) : this.mesh;
+    if (of !== this.bodyIsOf) this.body = shape ? bodyOf(shape) : this.mesh && bodyOfMesh(this.mesh);
+    this.bodyIsOf = of;
+    return this.body;
+  }
+}
+
+/** In its posture, and turned so that no side of it is seen head-on. */
+const hung = ({ up: now = up }: SpatialGrasp) => after(about(up, radians(-32)), towards(now, up));
+
+/** A part of the way from one direction to another. */
+function turnTowards(from: Vec, to: Vec, part: number): Vec {
+  return turned(towards(from, to, part), from);
+}
+
+/** The part of space that is shown: fixed for a grasp, so that nothing jumps while one drags. */
+function frameOf({ contacts, scenarios }: SpatialCheck, body: Body | undefined): Ball {
+  const points = contacts.map((contact) => contact.position);
+  points.push(...(body ? body.points : scenarios.map(({ com }) => com)));
+  const centre = [0, 1, 2].map((k) => {
+    const values = points.map((point) => point[k]!);
+    return (values.reduce((a, b) => Math.min(a, b)) + values.reduce((a, b) => Math.max(a, b))) / 2;
+  }) as unknown as Vec;
+  return { centre, radius: points.reduce((most, point) => Math.max(most, length(minus(point, centre))), 0) || 1 };
+}
+

@@ -1,0 +1,269 @@
+// The sphere of postures, fixed to the object: the point on top is the direction that points up.
+import { turnable, view } from './body';
+import { Canvas, colour, seen, type Colour, type Eye, type Loaded } from './gl';
+import type { Point, Vec } from './grasp';
+import { icosahedron, polytope, refined, type Triangles } from './mesh';
+import { rounds } from './scale';
+import type { SpatialModel } from './space';
+import { line, node, place, set, text } from './svg';
+import { dot, length, times, turned, turnedBack, unit } from './turn';
+import { radians } from './vector';
+import { newtons, plain } from './words';
+
+/** Light where little force is needed; darker and darker, so that it can be read without colour. */
+const ramp = ['#f4f7ec', '#b9dcd6', '#6cb1ce', '#2b73ad', '#0f3569'].map((hex): Colour => {
+  const part = (k: number) => parseInt(hex.slice(1 + 2 * k, 3 + 2 * k), 16) / 255;
+  return [part(0), part(1), part(2)];
+});
+
+const spheres = new Map<number, Triangles>();
+const sphere = (level: number): Triangles => {
+  if (!spheres.has(level)) spheres.set(level, refined(icosahedron, level));
+  return spheres.get(level)!;
+};
+
+const bar = { left: 16, right: 16, height: 12 };
+
+export class SphereView {
+  certificate = false;
+  private readonly canvas: Canvas;
+  private readonly picture: SVGSVGElement;
+  readonly legend = node('svg', { class: 'legend', role: 'img' });
+  private readonly ground = node('circle', { class: 'area', tabindex: 0, role: 'application' });
+  private readonly marks = node('g');
+  private eye!: Eye;
+  private size: Point = [500, 330];
+  private drawn: unknown;
+  private loaded: Loaded | undefined;
+  private proof: { of: unknown; level: number | undefined; faces: Loaded; edges: Loaded; body: Loaded | undefined } | undefined;
+
+  constructor(
+    parent: HTMLElement,
+    private readonly model: SpatialModel,
+  ) {
+    this.canvas = new Canvas(document.createElement('canvas'));
+    this.canvas.element.setAttribute('aria-hidden', 'true');
+    this.picture = node('svg', { 'aria-label': 'The sphere of postures, coloured by the force norm' });
+    this.picture.append(this.ground, this.marks);
+    const globe = document.createElement('div');
+    globe.className = 'globe';
+    globe.append(this.canvas.element, this.picture);
+    parent.prepend(globe, this.legend);
+    set(this.ground, { 'aria-label': 'Sphere of postures: turn it with the arrow keys' });
+    turnable(this.ground, model, () => this.eye.scale, (event) => {
+      const p = this.under(event);
+      if (p) this.model.turnTo(p);
+    });
+  }
+
+  /** The direction of the object under the pointer. */
+  private under(event: PointerEvent): Vec | undefined {
+    const [px, py] = place(this.picture, event);
+    const [x, y] = [(px - this.size[0] / 2) / this.eye.scale, (this.size[1] / 2 - py) / this.eye.scale];
+    const rest = 1 - x * x - y * y;
+    if (rest < 0) return undefined;
+    return unit(turnedBack(this.model.orientation, turnedBack(view, [x, y, Math.sqrt(rest)])));
+  }
+
+  /** Force norms from the least of all to where colours end [N]. */
+  range(): { low: number; high: number } | undefined {
+    const { sphere: coloured, best } = this.model.found;
+    if (!coloured) return undefined;
+    let [low, high] = [Infinity, 0];
+    const { tilt } = this.model.answers.check;
+    const { points } = sphere(coloured.level);
+    const inside = (p: Vec) => !tilt || dot(p, tilt.from) >= Math.cos(radians(tilt.max_deg));
+    for (const [k, effort] of coloured.efforts.entries())
+      if (effort !== null && inside(points[k]!)) [low, high] = [Math.min(low, effort), Math.max(high, effort)];
+    if (best?.best) low = Math.min(low, best.best.effort);
+    if (!(low < Infinity)) return undefined;
+    return { low: Math.sqrt(low), high: Math.max(Math.min(Math.sqrt(high), 20 * Math.sqrt(low)), 1.05 * Math.sqrt(low)) };
+  }
+
+  draw(): void {
+    const box = this.picture.getBoundingClientRect();
+    this.size = [box.width || 500, box.height || 330];
+    const [width, height] = this.size;
+    const scale = Math.min(width / 2 - 12, height / 2 - 26);
+    this.eye = { turn: view, centre: [0, 0, 0], scale, depth: 4 };
+    set(this.picture, { viewBox: `0 0 ${width} ${height}` });
+    set(this.ground, { cx: width / 2, cy: height / 2, r: scale });
+    this.load();
+    this.canvas.begin(width, height, this.eye);
+    const pose = { turn: this.model.orientation };
+    const range = this.range();
+    const { tilt } = this.model.answers.check;
+    const proof = this.certificate ? this.proved() : undefined;
+    if (proof) {
+      if (proof.body) this.canvas.solid(proof.body, pose, colour('--force'));
+      this.canvas.lines(proof.edges, pose, colour('--best'), 0.35, 1);
+      this.canvas.glass(proof.faces, pose, colour('--best'), 0.12);
+      this.canvas.veil(proof.faces, pose);
+      this.canvas.lines(proof.edges, pose, colour('--best'), 1, 1.4);
+    }
+    if (this.loaded)
+      this.canvas.globe(this.loaded, pose, {
+        ramp,
+        low: Math.log(range?.low ?? 1),
+        high: Math.log(range?.high ?? 2),
+        levels: pad(range ? rounds(range.low, range.high).map(Math.log) : [], 16),
+        count: range ? Math.min(rounds(range.low, range.high).length, 16) : 0,
+        unholdable: colour('--unholdable'),
+        hatch: colour('--hatch'),
+        ground: colour('--ground'),
+        tilt_from: tilt?.from ?? [0, 0, 1],
+        tilt: tilt ? Math.cos(radians(tilt.max_deg)) : -2,
+        opacity: proof ? 0.22 : 1,
+      });
+    this.drawMarks();
+    this.drawLegend(range);
+    const late = this.model.outdated;
+    for (const element of [this.canvas.element, this.legend, this.marks]) element.classList.toggle('late', late);
+  }
+
+  get image(): { canvas: HTMLCanvasElement; overlay: SVGSVGElement } {
+    this.draw();
+    return { canvas: this.canvas.element, overlay: this.picture };
+  }
+
+  private load(): void {
+    const coloured = this.model.found.sphere;
+    if (coloured === this.drawn && this.loaded) return;
+    this.drawn = coloured;
+    this.canvas.drop(this.loaded);
+    const { points, triangles } = sphere(coloured?.level ?? 3);
+    const efforts = coloured?.efforts ?? [];
+    // Beside what cannot be held, the colour of the nearest that can.
+    const norms = points.map((_, k) => efforts[k] ?? NaN).map((effort) => Math.log(Math.sqrt(effort)));
+    const values = [...norms];
+    for (const corners of triangles)
+      for (const k of corners)
+        if (Number.isNaN(norms[k]))
+          for (const other of corners)
+            if (!Number.isNaN(norms[other]!)) values[k] = Math.max(Number.isNaN(values[k]!) ? -Infinity : values[k]!, norms[other]!);
+    const data = points.flatMap((_, k) => [Number.isNaN(values[k]!) ? 0 : values[k]!, Number.isNaN(norms[k]!) ? 1 : 0]);
+    this.loaded = this.canvas.load(
+      { position: { size: 3, data: new Float32Array(points.flat()) }, value: { size: 2, data: Float32Array.from(data) } },
+      Uint32Array.from(triangles.flat()),
+    );
+  }
+
+  /** What the proof shows, in words. */
+  said(): string {
+    const { best, planes } = this.model.found;
+    if (!best || !planes) return '';
+    if (best.lower_bound === null) return 'Every direction is cut off: it cannot be held in any of them.';
+    const norm = newtons(Math.sqrt(best.lower_bound));
+    const body = this.proof?.body ? `Blue: the loads that a force norm of ${norm} holds. ` : '';
+    return `${body}Green: planes that no load held by ${norm} can cross, each proven by the hold in one posture. The weight is on the sphere, whatever the posture; nothing that the planes enclose leaves it, so no posture needs less.`;
+  }
+
+  /** Loads that an effort of the lower bound might carry by what the cuts say, and those that it
+   * carries: the weight, in the best posture, is as far as both reach. */
+  private proved() {
+    const { best, planes, sphere: coloured } = this.model.found;
+    if (!best || !planes || best.lower_bound === null) return undefined;
+    if (this.proof?.of === planes && this.proof.level === coloured?.level) return this.proof;
+    const faces = polytope(planes.map(({ a, b }) => ({ a, c: b === 0 && length(a) < 1.5 ? 0 : best.lower_bound! + b })), 1.5);
+    const corners = faces.flatMap((face) => face.slice(2).flatMap((last, k) => [face[0]!, face[k + 1]!, last]));
+    const flat = (points: Vec[]) => ({
+      points,
+      triangles: Array.from({ length: points.length / 3 }, (_, t) => [3 * t, 3 * t + 1, 3 * t + 2] as const),
+      normals: points.map(unitOr),
+    });
+    this.canvas.drop(this.proof?.faces);
+    this.canvas.drop(this.proof?.edges);
+    this.canvas.drop(this.proof?.body);
+    this.proof = {
+      of: planes,
+      level: coloured?.level,
+      faces: this.canvas.loadBody(flat(corners)),
+      edges: this.canvas.loadLines(faces.flatMap((face) => face.map((p, k) => [p, face[(k + 1) % face.length]!] as const))),
+      body: this.carried(),
+    };
+    return this.proof;
+  }
+
+  /** Without limits of the forces the effort is quadratic along a ray. */
+  private carried(): Loaded | undefined {
+    const { best, sphere: coloured } = this.model.found;
+    const limited = this.model.answers.check.contacts.some((each) => each.min_normal > 0 || each.max_normal !== null);
+    if (!coloured || !best?.lower_bound || limited) return undefined;
+    const { points, triangles } = sphere(coloured.level);
+    const reach = points.map((p, k) => {
+      const effort = coloured.efforts[k];
+      return times(effort ? Math.sqrt(best.lower_bound! / effort) : 0, p);
+    });
+    const { tilt } = this.model.answers.check;
+    const kept = triangles.filter((corners) => !tilt || corners.every((k) => dot(points[k]!, tilt.from) >= Math.cos(radians(tilt.max_deg))));
+    return this.canvas.loadBody({ points: reach, triangles: kept, normals: kept.flatMap((corners) => corners.map((k) => points[k]!)) });
+  }
+
+  private drawMarks(): void {
+    const { best } = this.model.found;
+    const centre: Point = [this.size[0] / 2, this.size[1] / 2];
+    const at = (p: Vec): Vec => {
+      const [x, y, z] = seen(this.eye, p);
+      return [centre[0] + x, centre[1] - y, z];
+    };
+    const marks: Node[] = [node('circle', { cx: centre[0], cy: centre[1], r: this.eye.scale, class: 'limb' })];
+    const minima = best ? [...best.minima] : [];
+    for (const each of minima) {
+      const [x, y, z] = at(turned(this.model.orientation, each.up));
+      if (z < -0.02 * this.eye.scale) continue;
+      const name = each.effort === best!.best?.effort ? 'best' : same(each.up, best!.best_pinched?.up) ? 'best pinched' : '';
+      const mark = node('g', { class: `optimum min${name === 'best' ? ' best' : ''}` },
+        node('circle', { cx: x, cy: y, r: name ? 6 : 4, class: 'symbol' }),
+        node('title', {}, `${name || 'minimum'}, ${each.manner}: √V = ${plain(each.force_norm)} N`));
+      mark.addEventListener('click', () => this.model.turnTo(each.up));
+      if (name) mark.append(text(name, [x, y + 20], 'optimum-label'));
+      marks.push(mark);
+    }
+    const top = at([0, 0, 1]);
+    const pin = at([0, 0, 1.13]);
+    marks.push(
+      line([top[0], top[1]], [pin[0], pin[1]], 'pin'),
+      node('circle', { cx: top[0], cy: top[1], r: 6.5, class: 'knob passive' }),
+      text('up', [pin[0] + 13, pin[1] + 5], 'label'),
+    );
+    this.marks.replaceChildren(...marks);
+  }
+
+  private drawLegend(range: { low: number; high: number } | undefined): void {
+    const width = this.legend.getBoundingClientRect().width || 400;
+    set(this.legend, { viewBox: `0 0 ${width} 48` });
+    if (!range) {
+      this.legend.replaceChildren(text(this.model.outdated ? 'looking all around …' : 'cannot be held in any posture', [width / 2, 24], 'title'));
+      return;
+    }
+    const { low, high } = range;
+    const inside = width - bar.left - bar.right;
+    const x = (norm: number) => bar.left + (inside * Math.log(norm / low)) / Math.log(high / low);
+    const stops = ramp.map((rgb, k) => node('stop', { offset: k / 4, 'stop-color': `rgb(${rgb.map((c) => Math.round(255 * c)).join()})` }));
+    const drawn: Node[] = [
+      node('defs', {}, node('linearGradient', { id: 'ramp' }, ...stops)),
+      node('rect', { x: bar.left, y: 4, width: inside, height: bar.height, fill: 'url(#ramp)', class: 'bar' }),
+    ];
+    let last = -Infinity;
+    for (const tick of [low, ...rounds(low, high)]) {
+      const label = tick === low ? plain(low) : String(Number(tick.toPrecision(3)));
+      drawn.push(line([x(tick), 4], [x(tick), 4 + bar.height], 'tick-line'));
+      const half = 3.6 * label.length;
+      if (x(tick) - half < last + 8 || x(tick) + half > width) continue;
+      last = x(tick) + half;
+      drawn.push(text(label, [Math.max(x(tick), half), 30], 'tick'));
+    }
+    drawn.push(text('force norm √V [N]', [width / 2, 45], 'title'));
+    const { hold } = this.model.answers;
+    if (hold.holdable) {
+      const now = Math.min(Math.max(x(hold.force_norm), bar.left), width - bar.right);
+      drawn.push(node('path', { d: `M${now} 6l-5 -6h10Z`, class: 'pointer' }), line([now, 2], [now, 4 + bar.height], 'now'));
+    }
+    set(this.legend, { 'aria-label': `Colours from ${newtons(low)}, light, to ${newtons(high)}, dark` });
+    this.legend.replaceChildren(...drawn);
+  }
+}
+
+const unitOr = (p: Vec): Vec => (length(p) > 0 ? unit(p) : [0, 0, 1]);
+const same = (a: Vec, b: Vec | undefined) => b !== undefined && dot(a, b) > 1 - 1e-14;
+const pad = (values: number[], size: number) => [...values.slice(0, size), ...Array<number>(Math.max(0, size - values.length)).fill(0)];

@@ -1,0 +1,59 @@
+// What takes longer than a frame: the certified best posture in space, and the efforts all around.
+import { askSpatial, BadGrasp, start, type Plane, type SpatialBest } from './core';
+import type { SpatialGrasp, Vec } from './grasp';
+import { refined, icosahedron } from './mesh';
+
+export interface Task {
+  id: number;
+  grasp: SpatialGrasp;
+}
+
+/** Parts of the answer to a task, as they come. */
+export type Part =
+  | { id: number; best: SpatialBest; planes: Plane[] }
+  | { id: number; level: number; efforts: (number | null)[] }
+  | { id: number; done: true };
+
+/** Spheres to be coloured: a rough one at once, a fine one in the end. */
+const levels = [3, 5];
+
+let latest = -1;
+let ready: Promise<void>;
+
+self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task>) => {
+  if (data instanceof ArrayBuffer) {
+    ready = start(data);
+    return;
+  }
+  latest = data.id;
+  await ready;
+  // Of many tasks only the last one is worth beginning.
+  await new Promise((done) => setTimeout(done));
+  if (data.id !== latest) return;
+  for (const part of parts(data)) {
+    postMessage({ id: data.id, ...part });
+    await new Promise((done) => setTimeout(done));  // another task may have come
+    if (data.id !== latest) return;
+  }
+  postMessage({ id: data.id, done: true });
+};
+
+function* parts({ grasp }: Task) {
+  try {
+    const efforts = (level: number) => ({
+      level,
+      efforts: askSpatial('efforts', grasp, { ups: directions(level) }).efforts,
+    });
+    yield efforts(levels[0]!);
+    const best = askSpatial('best', grasp);
+    yield { best, planes: askSpatial('planes', grasp, { cuts: best.cuts }).planes };
+    yield efforts(levels[1]!);
+  } catch (error) {
+    // The page has been told already.
+    if (!(error instanceof BadGrasp)) throw error;
+  }
+}
+
+function directions(level: number): Vec[] {
+  return refined(icosahedron, level).points;
+}

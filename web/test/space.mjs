@@ -1,0 +1,251 @@
+// The page in space, and its files: node test/space.mjs
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { browser, drag, expect, finish, frame, near, open, out, root, settled, verdict } from './browser.mjs';
+
+const built = `${root}web/dist/playground.html`;
+const poise = (...parameters) => spawnSync(`${root}build/poise`, parameters, { encoding: 'utf8', cwd: `${out}files` });
+mkdirSync(`${out}files`, { recursive: true });
+
+/** What the page would keep as a file. */
+async function saved(page, as) {
+  await page.click('#save summary');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-as=${as}]`)]);
+  return readFileSync(await download.path());
+}
+
+// Every preset: its numbers are those of the program, digit for digit as they are shown.
+const four = (value) => (value === 0 ? '0' : value.toFixed(Math.min(Math.max(3 - Math.floor(Math.log10(value * 1.00005)), 0), 9)));
+const fixed = (value, digits) => value.toFixed(digits).replace(/^-(0\.0*)$/, '$1');
+const page = await open(built);
+const labels = await page.$$eval('#preset option', (all) => all.map(({ label }) => label));
+expect(labels.length >= 14, 'as many presets as before', labels.length);
+for (const label of labels) {
+  await page.selectOption('#preset', { label });
+  await frame(page);
+  const grasp = await saved(page, 'json');
+  const space = JSON.parse(grasp).dimension === 3;
+  if (space) await settled(page);
+  await frame(page);
+  const ask = (...parameters) => JSON.parse(execFileSync(`${root}build/poise`, [...parameters, '-', '--json'], { input: grasp, stdio: ['pipe', 'pipe', 'ignore'] }));
+  const shown = await page.$$eval('#minima button', (all) => all.map((each) => Array.from(each.querySelectorAll('span, strong'), (part) => part.textContent).filter(Boolean)));
+  let best;
+  try {
+    best = ask('best');
+  } catch {
+    expect(shown.length === 0 && label.includes('4(c): '), `${label}: nothing holds it`, shown);
+    continue;
+  }
+  const wanted = best.minima.slice(0, 8).map((each) => [
+    space ? `(${each.up.map((part) => fixed(part, 3)).join(', ')})` : `${fixed(each.angle_deg, 2)}°`,
+    `${four(each.force_norm)} N`,
+    `grip ${four(each.grip_force)} N`,
+  ].join(' '));
+  const found = shown.map((parts) => parts.slice(0, 3).join(' '));
+  expect(found.sort().join('\n') === wanted.sort().join('\n'), label, found, wanted);
+  const main = shown.find((parts) => parts.includes('best'));
+  expect(main?.[1] === `${four(best.best.force_norm)} N`, `${label}: the best`, main);
+  let hold;
+  try {
+    hold = ask('hold');
+  } catch {
+    expect((await verdict(page)).includes('cannot be held'), `${label}: not held now`, await verdict(page));
+    continue;
+  }
+  const words = `${hold.manner}: force norm √V ${four(hold.force_norm)} N, effort V ${four(hold.effort)} N², grip force ${four(hold.grip_force)} N`;
+  expect((await verdict(page)).endsWith(words), `${label}: now`, words, await verdict(page));
+}
+
+// By hand.
+const shows = async (label) => {
+  await page.selectOption('#preset', { label });
+  await settled(page);
+  await frame(page);
+};
+const seen = async () => [await verdict(page), await page.textContent('#minima')];
+async function changes(what, act) {
+  const before = await seen();
+  await act();
+  await frame(page);
+  await page.waitForTimeout(400);  // the turn is seen to turn
+  await settled(page);
+  await frame(page);
+  const after = await seen();
+  expect(before[0] !== after[0], `${what}: the hold changes`, after[0]);
+  return before[1] !== after[1];
+}
+await shows('box in three fingers');
+await page.screenshot({ path: `${out}space.png` });
+expect(await changes('a finger', () => drag(page, '#space .contact .grab', 25, -6)), 'a finger changes the minima');
+const moved = JSON.parse(await saved(page, 'json')).contacts[0];
+expect(near(Math.abs(moved.position[1]), 0.03), 'the finger stays on its face', moved.position);
+expect(await changes('the com', () => drag(page, '#space .com .dot', 12, 12)), 'the com changes the minima');
+expect(!(await changes('the object', async () => {
+  const box = await page.locator('#space rect.area').boundingBox();
+  await page.mouse.move(box.x + 60, box.y + 60);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 60, box.y + 90, { steps: 3 });
+  await page.mouse.up();
+})), 'turning it does not');
+const sphere = await page.locator('#sphere circle.area').boundingBox();
+const middle = [sphere.x + sphere.width / 2, sphere.y + sphere.height / 2];
+expect(!(await changes('a click on the sphere', () => page.mouse.click(middle[0] + 30, middle[1] - 40))), 'nor does a click');
+const before = await verdict(page);
+await page.mouse.move(...middle);
+await page.mouse.down();
+await page.mouse.move(middle[0] + 70, middle[1], { steps: 3 });
+await page.mouse.up();
+await frame(page);
+expect((await verdict(page)) === before, 'a turn about the vertical changes nothing', before, await verdict(page));
+await changes('a drag on the sphere', async () => {
+  await page.mouse.move(...middle);
+  await page.mouse.down();
+  await page.mouse.move(middle[0], middle[1] + 50, { steps: 3 });
+  await page.mouse.up();
+});
+await page.locator('#minima button').first().click();
+await page.waitForTimeout(600);
+expect((await page.textContent('#why')).includes('needs less'), 'it says that none needs less', await page.textContent('#why'));
+await page.check('#certificate');
+await frame(page);
+expect(await page.isVisible('#proof'), 'the proof is explained');
+await page.screenshot({ path: `${out}proof.png` });
+await page.uncheck('#certificate');
+await page.click('#reset');
+await settled(page);
+
+// What cannot be held, and why.
+await shows('box between two hard jaws');
+expect((await page.textContent('#why')).includes('It would turn about the line through contacts 0 and 1'), 'why it falls', await page.textContent('#why'));
+await page.screenshot({ path: `${out}space-falls.png` });
+await page.getByLabel('Torsion of left', { exact: false }).fill('-1');
+await frame(page);
+expect((await page.textContent('#problem')).startsWith('contacts[0].torsion: is -1'), 'a bad number', await page.textContent('#problem'));
+await page.getByLabel('Torsion of left', { exact: false }).fill('0');
+await frame(page);
+
+// By keyboard.
+await page.locator('#sphere circle.area').focus();
+await changes('a key on the sphere', () => page.keyboard.press('ArrowUp'));
+await shows('cylinder in three fingers');
+await page.locator('#space .contact').first().focus();
+expect(await changes('a key on a finger', () => page.keyboard.press('ArrowUp')), 'a key moves a finger');
+await page.locator('#space .com').focus();
+expect(await changes('a key on the com', () => page.keyboard.press('ArrowRight')), 'a key moves the com');
+const reached = new Set();
+await page.locator('#preset').focus();
+for (let k = 0; k < 45; ++k) {
+  await page.keyboard.press('Tab');
+  reached.add(await page.evaluate(() => document.activeElement.getAttribute('aria-label') ?? (document.activeElement.id || document.activeElement.textContent)));
+}
+for (const label of ['reset', 'open', 'Save', 'Posture: turn the object with the arrow keys', 'Centre of mass: arrow keys move it',
+  'Sphere of postures: turn it with the arrow keys', 'certificate', 'Up, x', 'Friction of thumb', 'Torsion of thumb [m]'])
+  expect(reached.has(label), `Tab reaches ${label}`, [...reached]);
+
+// Files: what is kept is read again, by the program too.
+await shows('wet bottle between two soft fingers');
+for (const as of ['yaml', 'json']) {
+  writeFileSync(`${out}files/bottle.${as}`, await saved(page, as));
+  const { best } = JSON.parse(poise('best', `bottle.${as}`, '--json').stdout);
+  expect(near(best.force_norm, 11.5843, 1e-4), `saved as ${as}`, best.force_norm);
+  await page.setInputFiles('#file', `${out}files/bottle.${as}`);
+  await settled(page);
+  expect((await page.textContent('#problem')) === '', `opened from ${as}`, await page.textContent('#problem'));
+}
+expect((await saved(page, 'svg')).includes('</svg>'), 'saved as SVG');
+expect((await saved(page, 'png')).subarray(1, 4).toString() === 'PNG', 'saved as PNG');
+await page.click('#save summary');
+await page.click('[data-as=link]');
+await page.waitForFunction(() => location.hash.startsWith('#grasp='));
+const linked = await open(`${built}${new URL(page.url()).hash}`);
+await settled(linked);
+expect((await verdict(linked)) === (await verdict(page)), 'a link shows the same', await verdict(linked));
+await linked.close();
+
+// A drop, as the browser hands it over.
+const drop = async (name, bytes) => {
+  await page.evaluate(([file, content]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([Uint8Array.from(content)], file));
+    window.dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));
+  }, [name, [...bytes]]);
+  await page.waitForTimeout(60);
+  await frame(page);
+};
+const best = poise('best', 'bottle.yaml', '--json').stdout;
+await drop('best.json', Buffer.from(best));
+await page.waitForTimeout(400);
+expect((await page.textContent('#problem')) === '', 'a result of this grasp', await page.textContent('#problem'));
+expect((await verdict(page)).includes(`force norm √V ${four(JSON.parse(best).best.force_norm)} N`), 'its posture', await verdict(page));
+await drop('other.json', readFileSync(`${root}build/fixtures/box-soft-jaws.best.json`));
+expect((await page.textContent('#problem')).includes('is of another grasp'), 'a result of another grasp', await page.textContent('#problem'));
+
+// Ten bad files: the words of the program, and nothing is lost.
+const good = readFileSync(`${root}examples/bottle.yaml`, 'utf8');
+const bad = {
+  'empty.yaml': '',
+  'list.yaml': '- 1\n- 2\n',
+  'bracket.yaml': 'poise: 1\ndimension: 2\nobject: {weight: 10, com: [0, 0}\n',
+  'tab.yaml': 'poise: 1\nobject:\n\tweight: 10\n\tcom: [0, 0]\n',
+  'bytes.yaml': Buffer.from([0x70, 0xe9, 0x0a]),
+  'key.yaml': good.replace('friction: 0.3', 'fricton: 0.3'),
+  'negative.yaml': good.replace('mass: 0.75', 'mass: -0.75'),
+  'markup.yaml': good.replace('finger: left', '"<img src=x onerror=alert(1)>": 1'),
+  'picture.png': Buffer.from('89504e470d0a1a0a', 'hex'),
+  'large.yaml': `# ${'x'.repeat(2 ** 20)}\n`,
+  'twice.json': '{"poise": 1, "dimension": 2, "dimension": 3}',
+};
+await page.waitForTimeout(400);
+const state = await seen();
+for (const [name, text] of Object.entries(bad)) {
+  writeFileSync(`${out}files/${name}`, text);
+  await drop(name, Buffer.from(text));
+  const words = poise('check', name).stderr.trim().replace(/^poise: /, '');
+  expect(words !== '' && (await page.textContent('#problem')) === words, name, words, await page.textContent('#problem'));
+  expect((await seen()).join() === state.join(), `${name}: nothing is lost`);
+}
+expect((await page.locator('img').count()) === 0, 'words from a file are never markup');
+
+// Names full of markup, also within the page of `poise view`.
+const markup = '</script><img src=x onerror=alert(1)>';
+const named = { ...JSON.parse(readFileSync(`${root}build/fixtures/box-soft-jaws.grasp.json`, 'utf8')), name: markup };
+named.contacts[0].finger = markup;
+await drop('named.json', Buffer.from(JSON.stringify(named)));
+await settled(page);
+expect((await page.locator('#preset option:checked').textContent()) === markup, 'the name is shown as it is');
+execFileSync(`${root}build/poise`, ['view', '-', '-o', `${out}view-space.html`], { input: JSON.stringify(named) });
+const viewed = await open(`${out}view-space.html`);
+await settled(viewed);
+for (const each of [page, viewed]) {
+  expect((await each.locator('img').count()) === 0, 'a name is never markup');
+  expect((await each.textContent('#space')).includes('</script>'), 'a finger has its name', await each.textContent('#space'));
+}
+await viewed.close();
+
+// Nothing leaves the page, even if it wanted to.
+const quiet = await browser.newPage();
+await quiet.goto(`file://${built}`);
+await quiet.waitForSelector('body[data-ready="1"]');
+const refused = await quiet.evaluate(async () => {
+  const broken = [];
+  document.addEventListener('securitypolicyviolation', (event) => broken.push(event.effectiveDirective));
+  await fetch('https://localhost/').catch(() => {});
+  await new Promise((done) => Object.assign(new Image(), { src: 'https://localhost/x.png', onerror: done, onload: done }));
+  return broken.sort().join();
+});
+expect(refused === 'connect-src,img-src', 'the policy refuses requests', refused);
+await quiet.close();
+
+for (const colorScheme of ['light', 'dark'])
+  for (const [name, size] of [['space', { width: 1280, height: 900 }], ['phone-space', { width: 390, height: 844 }]]) {
+    const shot = await open(built, { ...size, colorScheme });
+    await shot.selectOption('#preset', { label: 'cylinder in three fingers' });
+    await settled(shot);
+    await frame(shot);
+    const { scroll, client } = await shot.evaluate(() => ({ scroll: document.documentElement.scrollWidth, client: document.documentElement.clientWidth }));
+    expect(scroll <= client, 'nothing is wider than the window', scroll, client);
+    await shot.screenshot({ path: `${out}${name}-${colorScheme}.png`, fullPage: name !== 'space' });
+    await shot.close();
+  }
+
+await finish();
