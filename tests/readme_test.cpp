@@ -215,7 +215,7 @@ TEST(Documentation, CertificateListingVerifies) {
   std::ofstream(folder / "fallen.yaml") << tray << "tilt: {from: [0, 0, -1], max_deg: 30}\n";
   for (const std::string& grasp :
        {std::string("examples/ito-fig6.yaml"), std::string("examples/hexagon-three-fingers.yaml"),
-        path("tray.yaml"), path("fallen.yaml")}) {
+        std::string("examples/bottle.yaml"), path("tray.yaml"), path("fallen.yaml")}) {
     output("build/poise check " + grasp + " --json > " + path("grasp.json"));
     const std::string python = "/usr/bin/python3 " + path("verify.py") + " " + path("grasp.json");
     for (const std::string command : {"hold", "best"}) {

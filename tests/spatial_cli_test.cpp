@@ -92,7 +92,7 @@ class Space : public CommandLine {
     std::set<std::string> expected{"holdable",   "up",         "dual",     "lower_bound",
                                    "effort",     "force_norm", "residual", "manner",
                                    "all_loaded", "grip_force", "fingers",  "contacts"};
-    if (many) expected.insert({"scenario", "scenario_efforts"});
+    if (many) expected.insert({"scenario", "scenario_efforts", "scenario_holds"});
     std::set<std::string> given = keys(hold);
     for (const char* key : {"poise_result", "command", "options"}) given.erase(key);
     EXPECT_EQ(given, expected);
