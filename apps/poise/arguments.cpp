@@ -280,6 +280,9 @@ struct Parser {
     if (before)
       throw UsageError("unknown command " + quoted(word) +
                        ", must be check, hold, best, curve, verify, view or paper");
+    if (parsed(word))
+      throw UsageError("unexpected " + quoted(word) +
+                       ": numbers of one flag are written with commas and no blanks, like 0,0,1");
     throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
                      (command.get_name() == "paper"    ? "no FILE"
                       : command.get_name() == "verify" ? "one FILE and one RESULT"
