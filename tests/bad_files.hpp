@@ -104,6 +104,8 @@ inline const std::vector<BadFile> bad_files{
      "contacts:\n"
      "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
      "1:1: poise: is missing, must be 1, the version of this format"},
+    {"a result", "{\"poise_result\": 1, \"command\": \"best\"}\n",
+     "1:1: is a result, must be the grasp file that it is of"},
     {"newer version",
      "poise: 2\n"
      "plan: all\n",

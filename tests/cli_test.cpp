@@ -120,6 +120,7 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
       {"paper --out 4c.yaml/x", "4c.yaml/x: cannot be made a directory: Not a directory"},
       {"best 4c.yaml 4c.yaml", "unexpected '4c.yaml', poise best takes one FILE"},
       {"best 4c.yaml hold", "unexpected 'hold'"},
+      {"hold 4c.yaml --up 0 1", "unexpected '1': numbers of one flag are written with commas"},
       {"best 4c.yaml --jsn",
        "unknown option --jsn, poise best knows --help, --json, --domain, --force-cap"},
       {"best 4c.yaml --angle 3", "unknown option --angle"},

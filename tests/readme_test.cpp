@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -125,6 +127,42 @@ TEST(Documentation, GraspFilesLoad) {
   EXPECT_GE(files, 4);
 }
 
+/// The keys of a JSON document, but for a shape, which is told as in a grasp file.
+void add_keys(const nlohmann::json& value, std::set<std::string>& keys) {
+  if (value.is_array())
+    for (const auto& part : value) add_keys(part, keys);
+  if (!value.is_object()) return;
+  for (const auto& [key, part] : value.items()) {
+    keys.insert(key);
+    if (key != "shape") add_keys(part, keys);
+  }
+}
+
+// Every key of what the program prints for the examples is named on the page, and every command.
+TEST(Documentation, CommandLineNamesEveryKey) {
+  const std::string page = contents(root / "docs/command-line.md");
+  std::set<std::string> keys;
+  const fs::path result =
+      fs::path(testing::TempDir()) / ("poise_result_" + std::to_string(getpid()) + ".json");
+  for (const auto& example : fs::directory_iterator(root / "examples")) {
+    if (example.path().extension() != ".yaml") continue;
+    const std::string file = "'" + example.path().string() + "'";
+    for (const std::string command : {"check", "hold", "best", "curve"}) {
+      const std::string text = output("build/poise " + command + " " + file + " --json");
+      if (!text.starts_with("{")) continue;  // there is no curve in space
+      add_keys(nlohmann::json::parse(text), keys);
+      std::ofstream(result) << text;
+      add_keys(nlohmann::json::parse(
+                   output("build/poise verify " + file + " '" + result.string() + "' --json")),
+               keys);
+    }
+  }
+  fs::remove(result);
+  EXPECT_GT(keys.size(), 80U);
+  for (const std::string& key : keys)
+    EXPECT_NE(page.find("`" + key + "`"), page.npos) << key << " is not on the page";
+}
+
 // The tables of docs/paper.md that were measured: how often, and how many samples.
 TEST(Documentation, PaperTellsWhatIsMeasured) {
   const fs::path out = fs::path(testing::TempDir()) / ("poise_paper_" + std::to_string(getpid()));
@@ -177,7 +215,7 @@ TEST(Documentation, CertificateListingVerifies) {
   std::ofstream(folder / "fallen.yaml") << tray << "tilt: {from: [0, 0, -1], max_deg: 30}\n";
   for (const std::string& grasp :
        {std::string("examples/ito-fig6.yaml"), std::string("examples/hexagon-three-fingers.yaml"),
-        path("tray.yaml"), path("fallen.yaml")}) {
+        std::string("examples/bottle.yaml"), path("tray.yaml"), path("fallen.yaml")}) {
     output("build/poise check " + grasp + " --json > " + path("grasp.json"));
     const std::string python = "/usr/bin/python3 " + path("verify.py") + " " + path("grasp.json");
     for (const std::string command : {"hold", "best"}) {

@@ -92,7 +92,7 @@ class Space : public CommandLine {
     std::set<std::string> expected{"holdable",   "up",         "dual",     "lower_bound",
                                    "effort",     "force_norm", "residual", "manner",
                                    "all_loaded", "grip_force", "fingers",  "contacts"};
-    if (many) expected.insert({"scenario", "scenario_efforts"});
+    if (many) expected.insert({"scenario", "scenario_efforts", "scenario_holds"});
     std::set<std::string> given = keys(hold);
     for (const char* key : {"poise_result", "command", "options"}) given.erase(key);
     EXPECT_EQ(given, expected);
@@ -445,6 +445,19 @@ TEST_F(SpaceBest, GivesTheAnswersThatTheExamplesTell) {
   EXPECT_NEAR(box["rotation"]["angle_deg"], 45, 1e-6);
   EXPECT_NEAR(box["best"]["grip_force"], 7.302, 0.0005);
   EXPECT_NEAR(json("hold box.yaml")["grip_force"], 9.471, 0.0005);
+
+  fs::copy_file(POISE_EXAMPLES "/tray.yaml", folder() / "tray.yaml");
+  const Json tray = best("tray.yaml");
+  EXPECT_NEAR(tray["rotation"]["angle_deg"], 15, 1e-6);
+  EXPECT_GT(vector(tray["best"]["up"]).y(), 0);  // as is the centre of mass
+  EXPECT_NEAR(tray["best"]["grip_force"], 6.923, 0.0005);
+  EXPECT_NEAR(json("hold tray.yaml")["grip_force"], 7.678, 0.0005);
+  const std::string limited = contents(folder() / "tray.yaml");
+  const std::size_t tilt = limited.find("tilt:");
+  write("free.yaml", std::string(limited).erase(tilt, limited.find('\n', tilt) - tilt));
+  const Json tilted = best("free.yaml");
+  EXPECT_NEAR(tilted["rotation"]["angle_deg"], 31, 0.5);
+  EXPECT_NEAR(tilted["best"]["grip_force"], 5.554, 0.0005);
 
   fs::copy_file(POISE_EXAMPLES "/cylinder-three-fingers.yaml", folder() / "cylinder.yaml");
   const Json cylinder = best("cylinder.yaml"), upright = json("hold cylinder.yaml");

@@ -249,27 +249,80 @@ TEST(Verify, RefusesWhatIsOffInSpace) {
   expect_spoilt_refused(file, best_text(file, lying), 10);
 }
 
-TEST(Verify, RefusesCutsThatDoNotProve) {
-  const auto none = Eigen::Quaterniond::Identity();
-  for (const char* tilt : {"", "tilt: {from: [0, 0, -1], max_deg: 30}\n"}) {
-    const SpatialFile file = on_three_fingers(tilt);
-    const Json best = Json::parse(best_text(file, none));
-    EXPECT_EQ(best["status"], *tilt ? "unholdable" : "optimal");
+/// What is in it weighs more or less, and lies higher or lower; one finger is weak.
+SpatialFile filled() {
+  return std::get<SpatialFile>(grasp_from_yaml(
+      "poise: 1\ndimension: 3\n"
+      "object: {scenarios: [{weight: 8, com: [0, 0, 0.2]}, {weight: 3, com: [0.1, 0, -0.3]}]}\n"
+      "contacts:\n"
+      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 0.7, torsion: 0.2}\n"
+      "  - {position: [-1, 0.1, 0], normal: [1, 0, 0], friction: 0.8, torsion: 0.2}\n"
+      "  - {position: [0, -1, 0.1], normal: [0, 1, 0], friction: 0.5, max_normal: 4}\n",
+      "filled.yaml"));
+}
+
+TEST(Verify, RefusesWhatIsOffWithScenariosAndLimits) {
+  const SpatialFile file = filled();
+  const Vector<3> up = Vector<3>(0.1, 0.05, 1).normalized();
+  expect_spoilt_refused(file, hold_document(file.grasps(), hold_all(file.grasps(), up), {}, {}), 3);
+  const Eigen::Quaterniond lying(Eigen::AngleAxisd(1.2, Vector<3>(0.6, 0.64, 0.48)));
+  expect_spoilt_refused(file, best_text(file, lying), 3);
+}
+
+TEST(Verify, RefusesScenariosThatAreNotProven) {
+  const SpatialFile file = filled();
+  const Vector<3> up = Vector<3>(0.1, 0.05, 1).normalized();
+  const Json hold = Json::parse(hold_document(file.grasps(), hold_all(file.grasps(), up), {}, {}));
+  EXPECT_EQ(words(checked(file, hold.dump())), "");
+  const std::size_t decides = hold["scenario"].get<std::size_t>(), other = 1 - decides;
+  ASSERT_TRUE(hold["scenario_holds"][other].is_object());
+  Json copy = hold;  // the one that does not decide, as if it did
+  copy.update(copy["scenario_holds"][other]);
+  copy["scenario"] = other;
+  copy["scenario_holds"][other] = nullptr;
+  EXPECT_FALSE(checked(file, copy.dump()).confirmed());
+  copy = hold;
+  for (Json& number : copy["scenario_holds"][other]["dual"]) number = -number.get<double>();
+  EXPECT_FALSE(checked(file, copy.dump()).confirmed());
+}
+
+TEST(Verify, RefusesThatNothingIsPinched) {
+  const SpatialFile bottle = std::get<SpatialFile>(read_grasp_file(POISE_EXAMPLES "/bottle.yaml"));
+  SpatialFile full = bottle;
+  full.scenarios.resize(1);
+  for (const SpatialFile& file : {filled(), full}) {
+    const Json best = Json::parse(best_text(file, Eigen::Quaterniond::Identity()));
     EXPECT_EQ(words(checked(file, best.dump())), "");
-    int needed = 0, turned = 0;
-    for (std::size_t k = 0; k < best["cuts"].size(); ++k) {
-      Json copy = best;
-      copy["cuts"].erase(k);
-      needed += checked(file, copy.dump()).confirmed() ? 0 : 1;
-      copy = best;
-      for (Json& number :
-           copy["cuts"][k].contains("y") ? copy["cuts"][k]["y"] : copy["cuts"][k]["n"])
-        number = -number.get<double>();
-      turned += checked(file, copy.dump()).confirmed() ? 0 : 1;
-    }
-    EXPECT_GE(needed, 3);
-    EXPECT_GE(turned, 3);
+    ASSERT_TRUE(best["best_pinched"].is_object());
+    Json copy = best;
+    copy["best_pinched"] = nullptr;
+    EXPECT_FALSE(checked(file, copy.dump()).confirmed());
   }
+}
+
+/// Each cut left out, and its proof turned round: most of them are needed.
+void expect_cuts_needed(const SpatialFile& file, const char* status) {
+  const Json best = Json::parse(best_text(file, Eigen::Quaterniond::Identity()));
+  EXPECT_EQ(best["status"], status);
+  EXPECT_EQ(words(checked(file, best.dump())), "");
+  int needed = 0, turned = 0;
+  for (std::size_t k = 0; k < best["cuts"].size(); ++k) {
+    Json copy = best;
+    copy["cuts"].erase(k);
+    needed += checked(file, copy.dump()).confirmed() ? 0 : 1;
+    copy = best;
+    for (Json& number : copy["cuts"][k].contains("y") ? copy["cuts"][k]["y"] : copy["cuts"][k]["n"])
+      number = -number.get<double>();
+    turned += checked(file, copy.dump()).confirmed() ? 0 : 1;
+  }
+  EXPECT_GE(needed, 3);
+  EXPECT_GE(turned, 3);
+}
+
+TEST(Verify, RefusesCutsThatDoNotProve) {
+  expect_cuts_needed(on_three_fingers(""), "optimal");
+  expect_cuts_needed(on_three_fingers("tilt: {from: [0, 0, -1], max_deg: 30}\n"), "unholdable");
+  expect_cuts_needed(filled(), "optimal");
 }
 
 TEST(Verify, RefusesTheResultOfAnotherGrasp) {

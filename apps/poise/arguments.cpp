@@ -429,6 +429,9 @@ struct Parser {
       throw UsageError("unknown command " + quoted(word) +
                        ", must be check, contacts, hold, best, curve, capacity, draw, verify, " +
                        "batch, view, import or paper");
+    if (parsed(word))
+      throw UsageError("unexpected " + quoted(word) +
+                       ": numbers of one flag are written with commas and no blanks, like 0,0,1");
     throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
                      (command.get_name() == "paper"    ? "no FILE"
                       : command.get_name() == "verify" ? "one FILE and one RESULT"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of README.md, docs/theory.md and docs/paper.md. Needs gnuplot, jq and awk.
+# Draws the pictures of README.md, docs/theory.md and docs/paper.md. Needs gnuplot, jq, awk, and numpy.
 #   docs/pictures/make.sh [the program; default: build/poise]
 set -euo pipefail
 poise=$(realpath "${1:-$(dirname "$0")/../../build/poise}")
@@ -420,6 +420,32 @@ plot '+' using 1:(least($1)):(32) with filledcurves lc rgb cone title 'both forc
   b1(x) with lines dt 2 lw 1.2 lc rgb line title 'edges of the right contact', b2(x) with lines dt 2 lw 1.2 lc rgb line notitle, \
   b3(x) with lines dt 4 lw 1.2 lc rgb limit title 'edges of the left contact', b4(x) with lines dt 4 lw 1.2 lc rgb limit notitle, \
   max(0, least(x)) with lines lw 3 lc rgb force title 'α* = 0, clamped to them'
+END
+
+# ---- The body C and its cuts -------------------------------------------------------------------
+
+grep -v '^tilt' "$examples/box-three-fingers.yaml" > "$work/box.yaml"
+{ echo '$body << end'; /usr/bin/python3 body.py "$poise" "$work/box.yaml" 8 16; echo end; cat << 'END'; } | picture body 940 380
+stats $body index 1 using (sqrt($1**2 + $2**2)) nooutput
+farthest = STATS_max
+unset key; unset border; unset tics
+set size ratio -1
+set xrange [-1.1:1.55]; set yrange [-0.95:1.0]
+set style fill solid 1
+set parametric; set trange [-0.75:0.4]
+set multiplot layout 1,2 margins 0.01,0.99,0.01,0.9 spacing 0.02
+do for [k=2:3] {
+  set title sprintf("after %d holds", k == 2 ? 8 : 16) offset 0,-0.7
+  set label 1 "C" at -0.3,0.15 center front tc rgb force
+  set label 2 "best posture" at 0.6,-0.09 center rotate by -17.5 front tc rgb best
+  set label 3 "polytope of the cuts" at -1.05,0.85 left front tc rgb limit
+  plot $body index 0 with filledcurves closed fc rgb cone, \
+    $body index 0 with lines lc rgb force lw 1.5, \
+    farthest * cos(t), farthest * sin(t) with lines lc rgb line dt 2, \
+    $body index k with lines lc rgb limit lw 2, \
+    $body index 1 using (0):(0):1:2 with vectors head filled size graph 0.03,18 lc rgb best lw 2
+}
+unset multiplot
 END
 
 # ---- The paper ---------------------------------------------------------------------------------

@@ -19,6 +19,7 @@ double radians(double degrees) {
 }
 
 void check_version(const Field& root) {
+  if (root.find("poise_result")) root.fail("is a result, must be the grasp file that it is of");
   const Field poise = root.get("poise", "1, the version of this format");
   const double version = poise.number();
   if (version > 1)

@@ -95,14 +95,24 @@ void add_hold(Json& result, const Grasp<2>& grasp, double theta, const Hold<2>& 
   add_hold<2>(result, grasp, up_at(theta), {{"angle_deg", degrees(theta)}}, hold);
 }
 
-/// The hold of the scenario that decides, and the efforts of all; null where one cannot be held.
+/// The hold of the scenario that decides, and those of the others; null where one cannot be held.
 void add_hold(Json& result, const std::vector<Grasp<3>>& grasps, const SpatialPosture& posture) {
   Json scenario = Json::object();
   if (grasps.size() > 1) {
     scenario["scenario"] = posture.scenario;
-    scenario["scenario_efforts"] = Json::array();
-    for (const double effort : posture.scenario_efforts)
-      scenario["scenario_efforts"].push_back(std::isfinite(effort) ? Json(number(effort)) : Json());
+    Json efforts = Json::array(), holds = Json::array();
+    for (std::size_t k = 0; k < grasps.size(); ++k) {
+      const double effort = posture.scenario_efforts[k];
+      efforts.push_back(std::isfinite(effort) ? Json(number(effort)) : Json());
+      holds.push_back(Json());
+      if (k == posture.scenario || !std::isfinite(effort)) continue;
+      // That it is within the force cap is known.
+      const HoldSettings settings{1.001 * std::sqrt(effort) / grasps[k].object().weight};
+      add_hold<3>(holds.back(), grasps[k], posture.up, Json::object(),
+                  hold<3>(grasps[k], posture.up, settings));
+    }
+    scenario["scenario_efforts"] = std::move(efforts);
+    scenario["scenario_holds"] = std::move(holds);
   }
   add_hold<3>(result, grasps[posture.scenario], posture.up, scenario, posture.hold);
 }

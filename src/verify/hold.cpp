@@ -49,6 +49,8 @@ ContactClaim check_contact(Claims& claims, const Touch& contact, const Field& fi
   if (contact.torsion > 0) sideways += claim.force[3] * claim.force[3];
   sideways = std::sqrt(sideways);
 
+  hold.slack = std::min(hold.slack, contact.hi - n);
+
   const Real W = load.weight;
   const bool loaded = n > at_limit * W, clear = !near(n, at_limit * W, unsure * W);
   const Real used =
@@ -181,8 +183,9 @@ void check_posture(Claims& claims, const Held& held, const Field& hold, HoldClai
                rounding);
 }
 
-/// Which scenario decides: the one that needs most.
-void check_scenarios(Claims& claims, const Held& held, const Field& hold, HoldClaim& claim) {
+/// Which scenario decides: the one that needs most. The others can be held too, with less.
+void check_scenarios(Claims& claims, const Held& held, const Field& hold, Real force_cap,
+                     HoldClaim& claim) {
   if (held.loads.size() == 1) return;
   const Field scenario = hold.get("scenario", "the number of a scenario");
   const Real number = scenario.finite();
@@ -196,14 +199,35 @@ void check_scenarios(Claims& claims, const Held& held, const Field& hold, HoldCl
     list.fail("must have " + std::to_string(held.loads.size()) + " efforts, one for each scenario");
   const auto decides = [&](const Field& effort) { return effort.is_null() == !claim.holdable; };
   claims.check(scenario, "the scenario decides", decides(efforts[claim.scenario]));
+  const Field holds = hold.get("scenario_holds", "a list of holds");
+  const auto others = holds.list();
+  if (others.size() != efforts.size())
+    holds.fail("must have " + std::to_string(efforts.size()) + " holds, one for each scenario");
+  for (std::size_t k = 0; k < efforts.size(); ++k) {
+    const bool none = k == claim.scenario || efforts[k].is_null();
+    claims.check(others[k], "is null only where there is no other hold",
+                 others[k].is_null() == none);
+    claims.check(efforts[k], "an effort is null only where the object cannot be held",
+                 !efforts[k].is_null() || !claim.holdable);
+    if (none || others[k].is_null()) continue;
+    Held alone = held;
+    alone.loads = {held.loads[k]};
+    claim.others.push_back(
+        check_hold(claims, alone, others[k], force_cap * held.heaviest() / held.loads[k].weight));
+    const HoldClaim& other = claim.others.back();
+    claims.check(others[k], "is a hold, in the same posture",
+                 other.holdable ? (other.up - claim.up).norm() : 1, rounding);
+    claims.check(efforts[k], "the effort of a scenario is that of its hold",
+                 difference(efforts[k].finite(), other.effort), 1e-9L);
+  }
   if (!claim.holdable) return;
   const Real most = hold.get("effort", "a number [N^2]").finite();
-  for (std::size_t k = 0; k < efforts.size(); ++k)
-    claims.check(efforts[k], "no scenario needs more than the one that decides",
-                 efforts[k].finite() / most, 1 + 1e-9L);
+  for (const Field& effort : efforts)
+    if (!effort.is_null())
+      claims.check(effort, "no scenario needs more than the one that decides",
+                   effort.finite() / most, 1 + 1e-9L);
   claims.check(efforts[claim.scenario], "its effort is that of the hold",
                difference(efforts[claim.scenario].finite(), most), rounding);
-  claims.note("The efforts of the scenarios that do not decide are not checked.");
 }
 
 }  // namespace
@@ -226,7 +250,7 @@ HoldClaim check_hold(Claims& claims, const Held& held, const Field& hold, Real f
   claim.dual = read_vector(hold.get("dual", "a twist"), held.wrench_size());
   const Field lower = hold.get("lower_bound", "a number [N^2]");
   const Real says = lower.finite();
-  check_scenarios(claims, held, hold, claim);
+  check_scenarios(claims, held, hold, force_cap, claim);
   const Load& load = held.loads[claim.scenario];
   const Real W = load.weight, cap = force_cap * W;
   const Vec w = wrench(load, claim.up);

@@ -2,6 +2,8 @@
 // none.
 #pragma once
 
+#include <limits>
+
 #include "verify/held.hpp"
 
 namespace poise::verify {
@@ -16,6 +18,9 @@ struct HoldClaim {
   std::string manner{};
   std::vector<std::size_t> loaded{};  ///< contacts that press
   bool slipping{true};                ///< all of these slip
+  /// How far below its max_normal the contact that is nearest to it presses [N].
+  Real slack{std::numeric_limits<Real>::infinity()};
+  std::vector<HoldClaim> others{};  ///< of the scenarios that do not decide
 };
 
 /// Whether the centre of mass lies in the fork of the fingers; unclear within rounding.

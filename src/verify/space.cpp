@@ -1,6 +1,7 @@
 #include "verify/space.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -135,6 +136,78 @@ std::optional<Tilt> read_tilt(const Field& options) {
   return Tilt{from.head<3>() / from.norm(), radians(field->get("max_deg", "an angle").finite())};
 }
 
+/// Whether it is plain that turns to all sides can be balanced too, if no contact presses harder
+/// than before by `slack` [N]. Contacts that press against each other, each with its force inside
+/// of its cone, can then give any change that is small beside that. Such forces are sought by going
+/// down |G f|^2 from 1 N along each normal; that they are right is then seen from G f = 0 and the
+/// cones.
+bool holds_beside(const Held& held, const Load& load, Real slack) {
+  constexpr Real turn = 1e-5L;
+  if (!(load.radius > 0)) return false;
+  std::vector<Touch> touches;
+  Mat G(6, 0);
+  for (const Touch& contact : held.contacts) {
+    if (!(contact.friction > 0)) continue;
+    touches.push_back(contact);
+    touches.back().lo = 0;
+    touches.back().hi = std::numeric_limits<Real>::infinity();
+    for (Eigen::Index k = 0; k < contact.G.cols(); ++k) {
+      const Vec3 force = contact.G.col(k).head(3), moment = contact.G.col(k).tail(3);
+      G.conservativeResize(6, G.cols() + 1);
+      G.rightCols(1) << force, (moment - Vec3(load.com.head<3>()).cross(force)) / load.radius;
+    }
+  }
+  // Calls f for each contact with its part of v.
+  const auto each = [&](Vec& v, const auto& f) {
+    Eigen::Index at = 0;
+    for (const Touch& contact : touches) {
+      f(contact, v.segment(at, contact.G.cols()));
+      at += contact.G.cols();
+    }
+  };
+  if (touches.empty()) return false;
+  const auto inverse = G.completeOrthogonalDecomposition();
+  Mat loads = Mat::Zero(6, 3);
+  loads.topRows(3) = load.weight * turn * Mat::Identity(3, 3);
+  const Mat change = inverse.solve(loads);
+  if (!((G * change - loads).norm() <= 1e-9L * loads.norm())) return false;
+
+  Vec start = Vec::Zero(G.cols()), more = start;
+  each(start, [](const Touch&, auto f) { f[0] = 1; });
+  const Real step = 1 / G.squaredNorm();
+  for (int round = 0; round < 1000; ++round) {
+    more -= step * (G.transpose() * (G * (start + more)));
+    each(more, [](const Touch& contact, auto f) { f = project(contact, f); });
+  }
+  Vec internal = start + more;
+  internal -= inverse.solve(G * internal);
+  if (!((G * internal).norm() <= 1e-12L * internal.norm())) return false;
+  Real inside = std::numeric_limits<Real>::infinity(), steepest = 0;
+  each(internal, [&](const Touch& contact, const auto& f) {
+    inside = std::min(inside, contact.friction * f[0] - f.tail(f.size() - 1).norm());
+    steepest = std::max(steepest, contact.friction);
+  });
+  // So much of them is needed for the change to stay within the cones.
+  const Real share = (1 + steepest) * change.norm() / inside;
+  return inside > 0 && share * internal.norm() + change.norm() < slack;
+}
+
+/// Whether a minimum is inside of the domain and of what can be held, for sure.
+bool surely_inside(const Held& held, const std::optional<Tilt>& tilt, const HoldClaim& hold) {
+  if (tilt) {
+    const Vec3 up = hold.up.head<3>();
+    if (std::atan2(up.cross(tilt->from).norm(), up.dot(tilt->from)) > tilt->most - 1e-5L)
+      return false;
+  }
+  if (!hold.holdable || hold.others.size() + 1 != held.loads.size()) return false;
+  for (std::size_t k = 0; k < held.loads.size(); ++k) {
+    const std::size_t other = k < hold.scenario ? k : k - 1;
+    const Real slack = k == hold.scenario ? hold.slack : hold.others[other].slack;
+    if (!holds_beside(held, held.loads[k], slack)) return false;
+  }
+  return true;
+}
+
 HoldClaim check_in_domain(Claims& claims, const Held& held, const Field& field,
                           const std::optional<Tilt>& tilt, Real cap) {
   const HoldClaim hold = check_hold(claims, held, field, cap);
@@ -223,6 +296,12 @@ void check_best_in_space(Claims& claims, const Held& held, const Field& root) {
   for (const HoldClaim& minimum : minima)
     claims.check(best, "best is the lowest of the minima",
                  (hold.effort - minimum.effort) / hold.effort, 1e-8L);
+  for (const HoldClaim& minimum : minima)
+    if (minimum.manner == "pinched" && surely_inside(held, tilt, minimum))
+      claims.check(
+          pinched, "best_pinched is no higher than a pinched minimum inside the domain",
+          pinched.is_null() ? 2 : pinched.get("effort", "a number [N^2]").finite() / minimum.effort,
+          1 + 1e-8L);
   if (!pinched.is_null()) {
     const HoldClaim squeezed = check_in_domain(claims, held, pinched, tilt, weights);
     claims.check(pinched, "best_pinched is pinched", squeezed.manner == "pinched");
