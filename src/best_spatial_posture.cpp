@@ -32,6 +32,11 @@ struct Row {
   bool holdable{false}, plane{false};
 };
 
+struct Load {
+  Vector<3> x;
+  double V;
+};
+
 struct Evaluation {
   double V{infinity};  ///< infinite where unholdable
   Row row;
@@ -62,6 +67,20 @@ struct Cone {
     return std::cos(most) * axis + std::sin(most) * across(x);
   }
 };
+
+/// The posture nearest to `up` on the planes through 0 with these normals (of length 1), if there
+/// is one.
+Vector<3> onto_planes(const Vector<3>& up, const std::vector<Vector<3>>& normals) {
+  std::vector<Vector<3>> basis;
+  for (Vector<3> n : normals) {
+    for (const Vector<3>& b : basis) n -= b.dot(n) * b;
+    if (n.norm() > 1e-4) basis.push_back(n.normalized());
+  }
+  if (basis.size() > 2) return up;
+  Vector<3> x = up;
+  for (const Vector<3>& b : basis) x -= b.dot(x) * b;
+  return x.norm() > 1e-3 ? Vector<3>(x.normalized()) : up;
+}
 
 /// Minimises the greatest effort of the scenarios over the unit vectors of all cones.
 class Search {
@@ -109,8 +128,7 @@ class Search {
   /// The effort whose level set is cut: with limits the rows' right-hand sides depend on it. Where
   /// nothing holds, a little above the cap, which proofs exceed by a tenth.
   double target() const {
-    return std::min((1 - gap_) * (1 + 1e-3 * gap_) * std::min(best_V_, relaxed_),
-                    1.01 * cap_ * cap_);
+    return std::min((1 - gap_) * (1 + 1e-3 * gap_) * best_V_, 1.01 * cap_ * cap_);
   }
   double right_hand_side(const Row& row) const;
   bool cut(std::size_t row, std::size_t hint);
@@ -120,10 +138,14 @@ class Search {
                        [&](const Cone& cone) { return cone.excess(up) <= 1e-9; });
   }
   /// Evaluates, remembers the row and whether it is the best; false: unholdable.
-  bool visit(const Vector<3>& up, const Row* from);
+  bool visit(const Vector<3>& up, const Row* from, std::size_t hint = Polytope::none);
   Vector<3> snapped(const Vector<3>& x, const std::array<int, 3>& planes) const;
   const Row* neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const;
-  bool stay_inside(std::size_t vertex);
+  bool stay_inside(const Vector<3>& x, const std::array<int, 3>& planes, std::size_t vertex);
+  bool shrink();
+  bool recede();
+  bool cross();
+  bool proven() const;
   void nothing_resists(std::size_t scenario, const Twist<3>& y);
 
   const std::vector<Scenario>& scenarios_;
@@ -131,7 +153,7 @@ class Search {
   double gap_;
   int max_holds_, holds_{0};
   bool limited_{false};
-  double cap_{0}, shares_{0}, t_{1}, relaxed_{infinity};
+  double cap_{0}, shares_{0}, t_{1};
   std::size_t heaviest_{0};
   std::vector<Row> rows_;  ///< plane 6 + i of the polytope is row i
   Polytope polytope_{1};
@@ -139,6 +161,8 @@ class Search {
   Vector<3> best_up_ = Vector<3>::Zero();
   Row best_row_;
   int unholdable_in_a_row_{0};
+  /// Loads of the domain known to need at most t_: lighter than the object, and heavier.
+  std::optional<Load> lighter_, heavier_;
 };
 
 Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
@@ -175,7 +199,7 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
     const double rounding = 2.2e-16 * point.y.cwiseAbs().sum();
     const double norm = std::sqrt(dual::squared_norm(point)) +
                         rounding * std::sqrt(static_cast<double>(grasp.size));
-    row.phi = limited_ ? std::max(point.y.dot(w) - point.value, 0.0) : 0.5 * norm * norm;
+    row.phi = limited_ ? point.y.dot(w) - point.value : 0.5 * norm * norm;
     row.scenario = s;
     row.at = x;
     row.holdable = holdable;
@@ -193,7 +217,7 @@ void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
   dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), row.y, point);
   row.speed = row.y.head<3>().norm();
   row.n = row.y.head<3>() / row.speed;
-  row.phi = std::max(-point.value, 0.0) + 1e-30 * row.y.squaredNorm();
+  row.phi = (limited_ ? -point.value : std::max(-point.value, 0.0)) + 1e-30 * row.y.squaredNorm();
   row.scenario = scenario;
   rows_.push_back(row);
   cut(rows_.size() - 1, Polytope::none);
@@ -203,7 +227,8 @@ void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
 double Search::right_hand_side(const Row& row) const {
   if (row.plane) return 0;
   const double weight = scenarios_[row.scenario].weight, half = t_ / (2 * weight * weight);
-  return limited_ ? (half + row.phi) / row.speed : 2 * std::sqrt(half * row.phi) / row.speed;
+  const double felt = limited_ ? half + row.phi : 2 * std::sqrt(half * row.phi);
+  return (felt + dual::delta * dual::length<3, double>(row.y)) / row.speed;
 }
 
 bool Search::cut(std::size_t row, std::size_t hint) {
@@ -220,7 +245,7 @@ void Search::rebuild() {
   for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
 }
 
-bool Search::visit(const Vector<3>& up, const Row* from) {
+bool Search::visit(const Vector<3>& up, const Row* from, std::size_t hint) {
   Evaluation e = evaluate(up, from);
   const bool better = e.V < best_V_ && inside(up);
   rows_.push_back(e.row);
@@ -232,26 +257,21 @@ bool Search::visit(const Vector<3>& up, const Row* from) {
   if (better && limited_)
     rebuild();
   else
-    cut(rows_.size() - 1, Polytope::none);
+    cut(rows_.size() - 1, hint);
   return e.V < infinity;
 }
 
 /// Where holdable postures have no inside, the planes that leave nothing else go through 0: what is
 /// a little beside them by rounding is meant to be on them.
 Vector<3> Search::snapped(const Vector<3>& x, const std::array<int, 3>& planes) const {
-  Vector<3> up = x.normalized();
-  std::vector<Vector<3>> basis;
+  const Vector<3> up = x.normalized();
+  std::vector<Vector<3>> normals;
   for (const int id : planes) {
     if (id < 6) continue;
     const Row& row = rows_[static_cast<std::size_t>(id - 6)];
-    if (row.holdable || std::abs(row.n.dot(up)) > 1e-7) continue;
-    Vector<3> n = row.n;
-    for (const Vector<3>& b : basis) n -= b.dot(n) * b;
-    if (n.norm() > 1e-4) basis.push_back(n.normalized());
+    if (!row.holdable && std::abs(row.n.dot(up)) <= 1e-7) normals.push_back(row.n);
   }
-  if (basis.size() > 2) return up;
-  for (const Vector<3>& b : basis) up -= b.dot(up) * b;
-  return up.normalized();
+  return onto_planes(up, normals);
 }
 
 const Row* Search::neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const {
@@ -265,97 +285,132 @@ const Row* Search::neighbour(const Vector<3>& x, const std::array<int, 3>& plane
   return nearest;
 }
 
-/// A plane for a vertex outside of the domain. True if there was need for one.
-bool Search::stay_inside(std::size_t vertex) {
-  const Vector<3> x = polytope_[vertex].x;
+/// A plane for a point of the polytope outside of the domain. True if there was need for one.
+bool Search::stay_inside(const Vector<3>& x, const std::array<int, 3>& planes, std::size_t vertex) {
   for (const Cone& cone : cones_) {
     const double excess = cone.excess(x);
     if (!(excess > 1e-12)) continue;
-    const Row* from = neighbour(x, polytope_[vertex].planes);
+    const Row* from = neighbour(x, planes);
     const Row start = from != nullptr ? *from : Row{};
     Row row;
     row.n = cone.plane(x).normalized();
     row.plane = true;
     rows_.push_back(row);
-    if (!cut(rows_.size() - 1, vertex)) polytope_[vertex].tried = true;
+    if (!cut(rows_.size() - 1, vertex) && vertex != Polytope::none) polytope_[vertex].tried = true;
     if (excess < 1e-2) visit(cone.nearest(x), from != nullptr ? &start : nullptr);
     return true;
   }
   return false;
 }
 
+/// Cuts off the farthest vertex outside of the unit ball. False: there is none.
+bool Search::shrink() {
+  const std::size_t far = polytope_.farthest(false);
+  if (far == Polytope::none) return false;
+  const double enough = limited_ ? 1 : 1 / target();  // of |x|^2
+  if (polytope_[far].square <= enough) return false;
+  const Vector<3> x = polytope_[far].x;
+  const std::array<int, 3> planes = polytope_[far].planes;
+  if (stay_inside(x, planes, far)) return true;
+  const Vector<3> up = snapped(x, planes);
+  const Row* nearest = neighbour(x, planes);
+  const Row start = nearest != nullptr ? *nearest : Row{};
+  const Row* from = nearest != nullptr ? &start : nullptr;
+  const double before = best_V_;
+  const bool holdable = visit(up, from, far);
+  if (limited_ && best_V_ < before) return true;
+  const auto there_still = [&] { return polytope_[far].alive && polytope_[far].x == x; };
+  const auto cut_by = [&](const Evaluation& e) {
+    rows_.push_back(e.row);
+    cut(rows_.size() - 1, far);
+    return e.V;
+  };
+  if (there_still()) cut_by(evaluate(up, from, true));
+  if (there_still() && limited_ && holdable) {
+    // With min_normal a heavier object may need less.
+    const double V = cut_by(evaluate(x, from, true));
+    if (there_still() && V <= (1 - gap_ / 2) * best_V_) {
+      heavier_ = Load{x, V};
+      return true;
+    }
+  }
+  if (there_still()) polytope_[far].tried = true;
+  // Vertices lie outside of what can be held: look for the best from the inside, too.
+  unholdable_in_a_row_ = holdable ? 0 : unholdable_in_a_row_ + 1;
+  if (unholdable_in_a_row_ < 2) return true;
+  const Vector<3> middle = best_V_ < infinity ? Vector<3>(up + best_up_) : polytope_.middle();
+  if (middle.norm() > 1e-3) visit(snapped(middle, planes), nullptr);
+  return true;
+}
+
+/// A heavier object needs less: the loads that need at most t_, a convex set, must all be heavier.
+/// Cuts off the lightest load of the polytope. False: none is lighter than the object.
+bool Search::recede() {
+  if (polytope_.empty()) return false;
+  const Vector<3> x = polytope_.nearest();
+  if (x.norm() >= 1) return false;
+  if (stay_inside(x, {0, 0, 0}, Polytope::none))
+    return polytope_.empty() || polytope_.nearest() != x;
+  const double before = best_V_;
+  if (x.norm() > 1e-3) visit(x.normalized(), nullptr);
+  if (best_V_ < before) return true;
+  const Evaluation e = evaluate(x, nullptr, true);
+  rows_.push_back(e.row);
+  if (cut(rows_.size() - 1, Polytope::none)) return true;
+  if (!(e.V <= (1 - gap_ / 2) * best_V_)) return false;
+  lighter_ = Load{x, e.V};
+  return true;
+}
+
+/// Between a lighter load and a heavier one that need at most t_ there is a posture that does.
+bool Search::cross() {
+  const Vector<3> from = lighter_->x, way = heavier_->x - from;
+  const double a = way.squaredNorm(), b = from.dot(way), c = 1 - from.squaredNorm();
+  const double before = best_V_;
+  visit((from + c / (b + std::sqrt(b * b + a * c)) * way).normalized(), nullptr);
+  return best_V_ < before;
+}
+
 void Search::run() {
   for (const Cone& cone : cones_)
     if (best_V_ == infinity && inside(cone.axis)) visit(cone.axis, nullptr);
+  if (limited_) {
+    const Evaluation none = evaluate(Vector<3>::Zero(), nullptr, true);
+    if (none.V < infinity) lighter_ = Load{Vector<3>::Zero(), none.V};
+  }
   for (int step = 0; step < 20 * max_holds_ && holds_ < max_holds_; ++step) {
-    const std::size_t far = polytope_.farthest(false);
-    if (far == Polytope::none) break;
-    const double enough = limited_ ? 1 : 1 / target();  // of |x|^2
-    if (polytope_[far].square <= enough) break;
-    if (stay_inside(far)) continue;
-    const Vector<3> x = polytope_[far].x;
-    const std::array<int, 3> planes = polytope_[far].planes;
-    const Vector<3> up = snapped(x, planes);
-    const Row* from = neighbour(x, planes);
-    const Evaluation e = evaluate(up, from);
-    rows_.push_back(e.row);
-    if (e.V < best_V_ && inside(up)) {
-      best_V_ = e.V;
-      best_up_ = up;
-      best_row_ = e.row;
-      best_row_ = e.row;
-      if (limited_) {
-        rebuild();
-        continue;
-      }
-    }
-    cut(rows_.size() - 1, far);
-    const auto there_still = [&] { return polytope_[far].alive && polytope_[far].x == x; };
-    if (there_still()) {
-      rows_.push_back(evaluate(up, from, true).row);
-      cut(rows_.size() - 1, far);
-    }
-    if (there_still()) {
-      // With min_normal a heavier object may need less: try what is out there.
-      if (limited_ && e.V < infinity) {
-        const Evaluation there = evaluate(x, &e.row, true);
-        rows_.push_back(there.row);
-        cut(rows_.size() - 1, far);
-        if (there_still() && there.V < relaxed_) {
-          relaxed_ = there.V;
-          rebuild();
-          continue;
-        }
-      }
-      if (there_still()) polytope_[far].tried = true;
-    }
-    // Vertices lie outside of what can be held: look for the best from the inside, too.
-    unholdable_in_a_row_ = e.V < infinity ? 0 : unholdable_in_a_row_ + 1;
-    if (unholdable_in_a_row_ < 2) continue;
-    const Vector<3> middle = best_V_ < infinity ? Vector<3>(up + best_up_) : polytope_.middle();
-    if (middle.norm() > 1e-3) visit(snapped(middle, planes), nullptr);
+    const bool may_be_heavier = heavier_ && heavier_->V <= (1 - gap_ / 2) * best_V_;
+    const bool may_be_lighter = lighter_ && lighter_->V <= (1 - gap_ / 2) * best_V_;
+    const bool goes_on = !may_be_heavier ? shrink() : may_be_lighter ? cross() : recede();
+    if (!goes_on) break;
   }
 }
 
+/// No load of the object's weight is left: what is left is lighter, or heavier.
+bool Search::proven() const {
+  return polytope_.empty() || polytope_[polytope_.farthest(true)].square <= 1 ||
+         polytope_.nearest().squaredNorm() > 1;
+}
+
 double Search::lower_bound() {
-  const auto radius = [&] {
-    const std::size_t far = polytope_.farthest(true);
-    return far == Polytope::none ? 0 : polytope_[far].square;
-  };
   // What rounding of vertices may make out, and of y where it is as good as infinitely long.
   constexpr double safe = 1 - 1e-10;
-  if (!limited_) return safe / std::max(radius(), 1e-40);
-  if (radius() <= 1) return safe * t_;
+  if (!limited_) {
+    const std::size_t far = polytope_.farthest(true);
+    return safe / std::max(far == Polytope::none ? 0 : polytope_[far].square, 1e-40);
+  }
+  if (proven()) return safe * t_;
   double least = 0, most = t_;
-  for (int halving = 0; halving < 40; ++halving) {
-    t_ = (least + most) / 2;
+  const auto rebuild_for = [&](double t) {
+    t_ = t;
     polytope_ = box();
     for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
-    (radius() <= 1 ? least : most) = t_;
+  };
+  for (int halving = 0; halving < 40; ++halving) {
+    rebuild_for((least + most) / 2);
+    (proven() ? least : most) = t_;
   }
-  t_ = least;
-  polytope_ = box();
-  for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
+  rebuild_for(least);
   return safe * least;
 }
 
@@ -460,15 +515,45 @@ std::pair<Vector<3>, Row> descend(const std::vector<Scenario>& scenarios,
   return {up, row};
 }
 
-/// Points spread over the sphere, on a spiral.
-std::vector<Vector<3>> spiral(int count) {
+/// Points spread over the directions at most an angle from an axis, on a spiral.
+std::vector<Vector<3>> spiral(int count, const Cone& cone) {
+  const Eigen::Matrix<double, 3, 2> across = tangents(cone.axis);
+  const double height = 1 - std::cos(cone.most);
   std::vector<Vector<3>> points;
   for (int k = 0; k < count; ++k) {
-    const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(1 - z * z);
+    const double z = 1 - height * (k + 0.5) / count, r = std::sqrt(1 - z * z);
     const double turn = k * pi * (3 - std::sqrt(5.0));
-    points.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+    points.emplace_back(across * Vector<2>(r * std::cos(turn), r * std::sin(turn)) + z * cone.axis);
   }
   return points;
+}
+
+/// Where to descend from: those of the postures spread over the domain that need less than all
+/// others nearby.
+std::vector<Vector<3>> starts(Search& search, const std::vector<Scenario>& scenarios,
+                              const std::vector<Cone>& domain, int count) {
+  const Cone all = domain.empty() ? Cone{Vector<3>::UnitZ(), pi} : domain.front();
+  // Turns that nobody feels leave only the postures across them.
+  std::vector<Vector<3>> normals;
+  for (const Twist<3>& unfelt : scenarios.front().grasp->scaled().unfelt)
+    if (unfelt.head<3>().norm() > 1e-9) normals.push_back(unfelt.head<3>().normalized());
+  std::vector<Vector<3>> ups = spiral(count, all);
+  std::vector<double> V;
+  for (Vector<3>& up : ups) {
+    up = onto_planes(up, normals);
+    V.push_back(search.evaluate(up).V);
+  }
+  // Twice the distance between neighbours.
+  const double area = 2 * pi * (1 - std::cos(all.most)) / count;
+  const double near = std::cos(2 * std::sqrt(area));
+  std::vector<Vector<3>> lowest;
+  for (std::size_t i = 0; i < ups.size(); ++i) {
+    bool low = V[i] < infinity;
+    for (std::size_t j = 0; j < ups.size() && low; ++j)
+      low = j == i || !(ups[i].dot(ups[j]) > near) || V[i] < V[j] || (V[i] == V[j] && i < j);
+    if (low) lowest.push_back(ups[i]);
+  }
+  return lowest;
 }
 
 }  // namespace
@@ -508,11 +593,8 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
   }
 
   std::vector<std::pair<Vector<3>, Row>> found = {{search.best_up(), search.best_row()}};
-  for (const Vector<3>& start : spiral(settings.starts)) {
-    Vector<3> up = start;
-    for (const Cone& cone : domain) up = cone.nearest(up);
-    if (!(search.evaluate(up).V < infinity)) continue;
-    const auto minimum = descend(scenarios, domain, up);
+  for (const Vector<3>& start : starts(search, scenarios, domain, settings.starts)) {
+    const auto minimum = descend(scenarios, domain, start);
     if (std::none_of(found.begin(), found.end(), [&](const auto& other) {
           return (other.first - minimum.first).norm() < 1e-3;
         }))
