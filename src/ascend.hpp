@@ -130,6 +130,7 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
   // Where steps are cut short again and again, the next heeds the faces passed before: else
   // it zigzags between them near the limit of holding.
   Square<Dim, T> M;
+  T radius = 1e300;
   T error = std::numeric_limits<double>::infinity();
   for (int step = 0; step < 100; ++step) {
     [[maybe_unused]] const T last_error = error;
@@ -152,7 +153,8 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
 
     M = cuts > 1 ? Square<Dim, T>(curvature_here() + T(0.5) * M) : curvature_here();
     Screw<Dim, T> dy = newton_step(M, point.residual);
-    const T reach = (step < 4 ? 3 : 100) * (1 + span(point.y)), stretch = span(dy);
+    T reach = (step < 4 ? 3 : 100) * (1 + span(point.y)), stretch = span(dy);
+    if (radius < reach) reach = radius;
     if (stretch > reach) {
       M.diagonal().array() += point.residual.norm() / reach;
       dy = newton_step(M, point.residual);
@@ -173,6 +175,10 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
     }
     using std::abs;
     const bool cut = a < 1;
+    if (!std::is_same_v<T, double>) {
+      const T gone = a * span(dy);
+      radius = cut ? T(2 * gone) : std::max<T>(radius, 4 * gone);
+    }
     settled = !cut && abs(slope_there) <= 1e-6 * slope;
     // Still rising where every step is long: does it rise for ever?
     if (rho == 0 && stretch > reach && slope_there > 0.5 * slope) {

@@ -68,25 +68,45 @@ struct Cone {
   }
 };
 
-/// The posture nearest to `up` on the planes through 0 with these normals (of length 1), if there
-/// is one.
-Vector<3> onto_planes(const Vector<3>& up, const std::vector<Vector<3>>& normals) {
-  std::vector<Vector<3>> basis;
-  for (Vector<3> n : normals) {
-    for (const Vector<3>& b : basis) n -= b.dot(n) * b;
-    if (n.norm() > 1e-4) basis.push_back(n.normalized());
+struct Plane {
+  Vector<3> n;  ///< of length 1
+  double b;     ///< n . x = b
+};
+
+/// The posture nearest to `up` on these planes, if there is one.
+Vector<3> onto_planes(const Vector<3>& up, const std::vector<Plane>& planes) {
+  std::vector<Plane> basis;
+  for (Plane plane : planes) {
+    for (const Plane& other : basis) {
+      const double along = other.n.dot(plane.n);
+      plane.n -= along * other.n;
+      plane.b -= along * other.b;
+    }
+    const double left = plane.n.norm();
+    if (left > 1e-4) basis.push_back({plane.n / left, plane.b / left});
   }
   if (basis.size() > 2) return up;
-  Vector<3> x = up;
-  for (const Vector<3>& b : basis) x -= b.dot(x) * b;
-  return x.norm() > 1e-3 ? Vector<3>(x.normalized()) : up;
+  Vector<3> along = up, middle = Vector<3>::Zero();
+  for (const Plane& plane : basis) {
+    along -= plane.n.dot(along) * plane.n;
+    middle += plane.b * plane.n;
+  }
+  const double rest = 1 - middle.squaredNorm();
+  if (!(along.norm() > 1e-3) || !(rest > 0)) return up;
+  return (middle + std::sqrt(rest) * along.normalized()).normalized();
 }
 
 /// Minimises the greatest effort of the scenarios over the unit vectors of all cones.
 class Search {
  public:
-  Search(const std::vector<Scenario>& scenarios, std::vector<Cone> cones, double gap, int max_holds)
-      : scenarios_(scenarios), cones_(std::move(cones)), gap_(gap), max_holds_(max_holds) {
+  /// `rough`: with holds to the digits that doubles give at once, for what needs no proof.
+  Search(const std::vector<Scenario>& scenarios, std::vector<Cone> cones, double gap, int max_holds,
+         bool rough = false)
+      : scenarios_(scenarios),
+        cones_(std::move(cones)),
+        gap_(gap),
+        max_holds_(max_holds),
+        rough_(rough) {
     for (const Scenario& s : scenarios) {
       limited_ = limited_ || s.grasp->scaled().limited;
       cap_ = std::max(cap_, s.cap * s.weight);
@@ -133,6 +153,8 @@ class Search {
   double right_hand_side(const Row& row) const;
   bool cut(std::size_t row, std::size_t hint);
   void rebuild();
+  /// By more than the wanted gap would notice.
+  bool improves(double V) const { return V < (1 - 1e-3 * gap_) * best_V_; }
   bool inside(const Vector<3>& up) const {
     return std::all_of(cones_.begin(), cones_.end(),
                        [&](const Cone& cone) { return cone.excess(up) <= 1e-9; });
@@ -146,13 +168,14 @@ class Search {
   bool recede();
   bool cross();
   bool proven() const;
+  double bound_by_cuts();
   void nothing_resists(std::size_t scenario, const Twist<3>& y);
 
   const std::vector<Scenario>& scenarios_;
   std::vector<Cone> cones_;
   double gap_;
   int max_holds_, holds_{0};
-  bool limited_{false};
+  bool rough_, limited_{false};
   double cap_{0}, shares_{0}, t_{1};
   std::size_t heaviest_{0};
   std::vector<Row> rows_;  ///< plane 6 + i of the polytope is row i
@@ -179,7 +202,7 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
     const double in_units = scenario.weight * scenario.weight;
     bool holdable = !exact && dual::approach(grasp, w, start, scenario.cap, point);
     double square = dual::squared_norm(point);
-    if (exact || (holdable && !(in_units * square > (1 + 1e-6) * best_V_))) {
+    if (exact || (!rough_ && holdable && improves(in_units * square))) {
       dual::Point<3> rough = point;
       const bool approached = holdable;
       holdable = dual::maximise(grasp, w, exact ? start : Twist<3>(point.y), scenario.cap, point);
@@ -192,6 +215,9 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
     if (!(V > worst.V)) continue;
     worst.V = V;
     Row& row = worst.row;
+    // Where nothing holds, y goes far along a direction; farther cuts deeper.
+    if (limited_ && !holdable)
+      dual::evaluate<3, double>(grasp, w, Twist<3>(1e3 * point.y), point);
     row.y = point.y;
     row.speed = point.y.head<3>().norm();
     row.n = point.y.head<3>() / row.speed;
@@ -247,7 +273,7 @@ void Search::rebuild() {
 
 bool Search::visit(const Vector<3>& up, const Row* from, std::size_t hint) {
   Evaluation e = evaluate(up, from);
-  const bool better = e.V < best_V_ && inside(up);
+  const bool better = improves(e.V) && inside(up);
   rows_.push_back(e.row);
   if (better) {
     best_V_ = e.V;
@@ -261,17 +287,19 @@ bool Search::visit(const Vector<3>& up, const Row* from, std::size_t hint) {
   return e.V < infinity;
 }
 
-/// Where holdable postures have no inside, the planes that leave nothing else go through 0: what is
-/// a little beside them by rounding is meant to be on them.
+/// Where holdable postures have no inside, the planes that leave nothing else are meant to be hit:
+/// what is a little beside them is so by rounding.
 Vector<3> Search::snapped(const Vector<3>& x, const std::array<int, 3>& planes) const {
   const Vector<3> up = x.normalized();
-  std::vector<Vector<3>> normals;
+  std::vector<Plane> hit;
   for (const int id : planes) {
     if (id < 6) continue;
     const Row& row = rows_[static_cast<std::size_t>(id - 6)];
-    if (!row.holdable && std::abs(row.n.dot(up)) <= 1e-7) normals.push_back(row.n);
+    if (row.holdable) continue;
+    const double b = limited_ ? right_hand_side(row) : 0;
+    if (std::abs(row.n.dot(up) - b) <= 1e-7) hit.push_back({row.n, b});
   }
-  return onto_planes(up, normals);
+  return onto_planes(up, hit);
 }
 
 const Row* Search::neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const {
@@ -325,10 +353,10 @@ bool Search::shrink() {
     cut(rows_.size() - 1, far);
     return e.V;
   };
-  if (there_still()) cut_by(evaluate(up, from, true));
+  if (there_still() && !rough_) cut_by(evaluate(up, from, true));
   if (there_still() && limited_ && holdable) {
     // With min_normal a heavier object may need less.
-    const double V = cut_by(evaluate(x, from, true));
+    const double V = cut_by(evaluate(x, from, !rough_));
     if (there_still() && V <= (1 - gap_ / 2) * best_V_) {
       heavier_ = Load{x, V};
       return true;
@@ -354,7 +382,7 @@ bool Search::recede() {
   const double before = best_V_;
   if (x.norm() > 1e-3) visit(x.normalized(), nullptr);
   if (best_V_ < before) return true;
-  const Evaluation e = evaluate(x, nullptr, true);
+  const Evaluation e = evaluate(x, nullptr, !rough_);
   rows_.push_back(e.row);
   if (cut(rows_.size() - 1, Polytope::none)) return true;
   if (!(e.V <= (1 - gap_ / 2) * best_V_)) return false;
@@ -379,6 +407,7 @@ void Search::run() {
     if (none.V < infinity) lighter_ = Load{Vector<3>::Zero(), none.V};
   }
   for (int step = 0; step < 20 * max_holds_ && holds_ < max_holds_; ++step) {
+    if ((1 - gap_) * best_V_ <= 1 / shares_) break;  // less holds nothing
     const bool may_be_heavier = heavier_ && heavier_->V <= (1 - gap_ / 2) * best_V_;
     const bool may_be_lighter = lighter_ && lighter_->V <= (1 - gap_ / 2) * best_V_;
     const bool goes_on = !may_be_heavier ? shrink() : may_be_lighter ? cross() : recede();
@@ -392,7 +421,10 @@ bool Search::proven() const {
          polytope_.nearest().squaredNorm() > 1;
 }
 
-double Search::lower_bound() {
+/// Forces add up to the weight: W^2 <= V sum share. The cuts may prove more.
+double Search::lower_bound() { return std::max(1 / shares_, bound_by_cuts()); }
+
+double Search::bound_by_cuts() {
   // What rounding of vertices may make out, and of y where it is as good as infinitely long.
   constexpr double safe = 1 - 1e-10;
   if (!limited_) {
@@ -504,7 +536,7 @@ std::pair<Vector<3>, Row> descend(const std::vector<Scenario>& scenarios,
   for (int step = 0; step < 60; ++step) {
     std::vector<Cone> cones = domain;
     cones.push_back({up, near});
-    Search local(scenarios, cones, step == 0 ? 1e-3 : 1e-10, 150);
+    Search local(scenarios, cones, step == 0 ? 1e-3 : 1e-10, 150, true);
     local.run();
     if (!(local.best_V() < infinity)) break;
     const double moved = std::acos(std::clamp(up.dot(local.best_up()), -1.0, 1.0));
@@ -534,13 +566,13 @@ std::vector<Vector<3>> starts(Search& search, const std::vector<Scenario>& scena
                               const std::vector<Cone>& domain, int count) {
   const Cone all = domain.empty() ? Cone{Vector<3>::UnitZ(), pi} : domain.front();
   // Turns that nobody feels leave only the postures across them.
-  std::vector<Vector<3>> normals;
+  std::vector<Plane> planes;
   for (const Twist<3>& unfelt : scenarios.front().grasp->scaled().unfelt)
-    if (unfelt.head<3>().norm() > 1e-9) normals.push_back(unfelt.head<3>().normalized());
+    if (unfelt.head<3>().norm() > 1e-9) planes.push_back({unfelt.head<3>().normalized(), 0});
   std::vector<Vector<3>> ups = spiral(count, all);
   std::vector<double> V;
   for (Vector<3>& up : ups) {
-    up = onto_planes(up, normals);
+    up = onto_planes(up, planes);
     V.push_back(search.evaluate(up).V);
   }
   // Twice the distance between neighbours.

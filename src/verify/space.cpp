@@ -126,7 +126,11 @@ void check_cuts(Claims& claims, const Held& held, const Field& root,
   }
   // What is left is convex: it does not meet the unit sphere if it lies inside or outside.
   const Left left = left_by(cuts);
-  claims.check(list, words, std::min(left.farthest, 1 / left.nearest), 1 + 1e-6L);
+  // Without any cut: forces add up to the weight, and W^2 <= V sum share.
+  Real shares = 0;
+  for (const Touch& contact : held.contacts) shares += contact.share;
+  const Real alone = std::sqrt(t * shares) / held.heaviest();
+  claims.check(list, words, std::min({left.farthest, 1 / left.nearest, alone}), 1 + 1e-6L);
 }
 
 Quaternion read_quaternion(const Field& field) {
