@@ -144,7 +144,11 @@ class Search {
   std::vector<Cut> certificate(double t) const;
 
  private:
-  Polytope box() const { return Polytope(std::sqrt(t_ * shares_)); }
+  /// With limits loads near the unit sphere are all that counts.
+  Polytope box() const {
+    const double half = std::sqrt(t_ * shares_);
+    return Polytope(limited_ ? std::min(half, 2.0) : half);
+  }
   /// The effort whose level set is cut: with limits the rows' right-hand sides depend on it. Where
   /// nothing holds, a little above the cap, which proofs exceed by a tenth.
   double target() const {
@@ -155,6 +159,8 @@ class Search {
   void rebuild();
   /// By more than the wanted gap would notice.
   bool improves(double V) const { return V < (1 - 1e-3 * gap_) * best_V_; }
+  /// Between the target and the best.
+  bool below(double V) const { return V <= (1 - 0.5 * gap_) * best_V_; }
   bool inside(const Vector<3>& up) const {
     return std::all_of(cones_.begin(), cones_.end(),
                        [&](const Cone& cone) { return cone.excess(up) <= 1e-9; });
@@ -183,8 +189,8 @@ class Search {
   double best_V_{infinity};
   Vector<3> best_up_ = Vector<3>::Zero();
   Row best_row_;
-  int unholdable_in_a_row_{0};
-  /// Loads of the domain known to need at most t_: lighter than the object, and heavier.
+  int beyond_in_a_row_{0};
+  /// Loads of the domain known to need no more: lighter than the object, and heavier.
   std::optional<Load> lighter_, heavier_;
 };
 
@@ -215,9 +221,13 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
     if (!(V > worst.V)) continue;
     worst.V = V;
     Row& row = worst.row;
-    // Where nothing holds, y goes far along a direction; farther cuts deeper.
-    if (limited_ && !holdable)
-      dual::evaluate<3, double>(grasp, w, Twist<3>(1e3 * point.y), point);
+    // Where nothing holds, y goes far along a direction; farther may cut deeper.
+    if (limited_ && !holdable) {
+      dual::Point<3> far = point;
+      dual::evaluate<3, double>(grasp, w, Twist<3>(1e3 * point.y), far);
+      const double half = t_ / (2 * in_units);
+      if (far.value - half > 1e3 * (point.value - half)) point = far;
+    }
     row.y = point.y;
     row.speed = point.y.head<3>().norm();
     row.n = point.y.head<3>() / row.speed;
@@ -261,8 +271,8 @@ bool Search::cut(std::size_t row, std::size_t hint) {
   const Row& r = rows_[row];
   const int id = 6 + static_cast<int>(row);
   if (!r.plane && !(r.speed > 1e-300)) return false;
-  if (hint == Polytope::none) return polytope_.cut(r.n, right_hand_side(r), id);
-  return polytope_.cut(r.n, right_hand_side(r), id, hint);
+  const double b = right_hand_side(r);
+  return (hint != Polytope::none && polytope_.cut(r.n, b, id, hint)) || polytope_.cut(r.n, b, id);
 }
 
 void Search::rebuild() {
@@ -353,19 +363,28 @@ bool Search::shrink() {
     cut(rows_.size() - 1, far);
     return e.V;
   };
-  if (there_still() && !rough_) cut_by(evaluate(up, from, true));
-  if (there_still() && limited_ && holdable) {
+  if (there_still() && !rough_ && (holdable || !limited_)) cut_by(evaluate(up, from, true));
+  bool beyond = !holdable;  // of all that can be held
+  if (there_still() && limited_) {
     // With min_normal a heavier object may need less.
-    const double V = cut_by(evaluate(x, from, !rough_));
-    if (there_still() && V <= (1 - gap_ / 2) * best_V_) {
+    const double V = cut_by(evaluate(x, from));
+    beyond = !(V < infinity);
+    if (there_still() && below(V)) {
       heavier_ = Load{x, V};
       return true;
     }
   }
   if (there_still()) polytope_[far].tried = true;
-  // Vertices lie outside of what can be held: look for the best from the inside, too.
-  unholdable_in_a_row_ = holdable ? 0 : unholdable_in_a_row_ + 1;
-  if (unholdable_in_a_row_ < 2) return true;
+  // Vertices lie outside of what can be held: look from the inside, too.
+  beyond_in_a_row_ = beyond ? beyond_in_a_row_ + 1 : 0;
+  if (beyond_in_a_row_ < 2) return true;
+  if (limited_ && best_V_ < infinity) {
+    const Vector<3> near = x + std::ldexp(1, -std::min(beyond_in_a_row_, 40)) * (best_up_ - x);
+    const Evaluation e = evaluate(near);
+    rows_.push_back(e.row);
+    cut(rows_.size() - 1, Polytope::none);
+    if (below(e.V)) (near.norm() > 1 ? heavier_ : lighter_) = Load{near, e.V};
+  }
   const Vector<3> middle = best_V_ < infinity ? Vector<3>(up + best_up_) : polytope_.middle();
   if (middle.norm() > 1e-3) visit(snapped(middle, planes), nullptr);
   return true;
@@ -382,10 +401,10 @@ bool Search::recede() {
   const double before = best_V_;
   if (x.norm() > 1e-3) visit(x.normalized(), nullptr);
   if (best_V_ < before) return true;
-  const Evaluation e = evaluate(x, nullptr, !rough_);
+  const Evaluation e = evaluate(x);
   rows_.push_back(e.row);
   if (cut(rows_.size() - 1, Polytope::none)) return true;
-  if (!(e.V <= (1 - gap_ / 2) * best_V_)) return false;
+  if (!below(e.V)) return false;
   lighter_ = Load{x, e.V};
   return true;
 }
@@ -408,8 +427,8 @@ void Search::run() {
   }
   for (int step = 0; step < 20 * max_holds_ && holds_ < max_holds_; ++step) {
     if ((1 - gap_) * best_V_ <= 1 / shares_) break;  // less holds nothing
-    const bool may_be_heavier = heavier_ && heavier_->V <= (1 - gap_ / 2) * best_V_;
-    const bool may_be_lighter = lighter_ && lighter_->V <= (1 - gap_ / 2) * best_V_;
+    const bool may_be_heavier = heavier_ && below(heavier_->V);
+    const bool may_be_lighter = lighter_ && below(lighter_->V);
     const bool goes_on = !may_be_heavier ? shrink() : may_be_lighter ? cross() : recede();
     if (!goes_on) break;
   }
@@ -454,7 +473,7 @@ std::vector<Cut> Search::certificate(double t) const {
   if (polytope_.farthest(true) == Polytope::none) std::fill(needed.begin(), needed.end(), 1);
   std::vector<Cut> cuts;
   for (std::size_t id = 0; id < needed.size(); ++id) {
-    if (needed[id] == 0) continue;
+    if (needed[id] == 0 || (id < 6 && limited_ && t * shares_ > 4)) continue;
     Cut cut;
     Twist<3> y = Twist<3>::Zero();
     if (id < 6) {

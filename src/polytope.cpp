@@ -49,12 +49,16 @@ bool Polytope::cut(const Vector<3>& n, double b, int id) {
     most = n.dot(vertices_[i].x);
     hint = i;
   }
-  return hint != none && cut(n, b, id, hint);
+  if (hint == none) return false;
+  // Where rounding makes it ambiguous, a little less may do.
+  for (const double less : {0.0, 8.0, 64.0, 512.0})
+    if (cut(n, b + less * rounding_, id, hint)) return true;
+  return false;
 }
 
 bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
   const auto beyond = [&](std::size_t i) { return n.dot(vertices_[i].x) > b + rounding_; };
-  if (!beyond(hint)) return cut(n, b, id);
+  if (!beyond(hint)) return false;
   // The patch of vertices that are cut off.
   patch_.assign(1, hint);
   in_patch_[hint] = 1;
