@@ -130,7 +130,6 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
   // Where steps are cut short again and again, the next heeds the faces passed before: else
   // it zigzags between them near the limit of holding.
   Square<Dim, T> M;
-  T radius = 1e300;
   T error = std::numeric_limits<double>::infinity();
   for (int step = 0; step < 100; ++step) {
     [[maybe_unused]] const T last_error = error;
@@ -153,8 +152,7 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
 
     M = cuts > 1 ? Square<Dim, T>(curvature_here() + T(0.5) * M) : curvature_here();
     Screw<Dim, T> dy = newton_step(M, point.residual);
-    T reach = (step < 4 ? 3 : 100) * (1 + span(point.y)), stretch = span(dy);
-    if (radius < reach) reach = radius;
+    const T reach = (step < 4 ? 3 : 100) * (1 + span(point.y)), stretch = span(dy);
     if (stretch > reach) {
       M.diagonal().array() += point.residual.norm() / reach;
       dy = newton_step(M, point.residual);
@@ -162,6 +160,22 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
     const T before = point.value, slope = point.residual.dot(dy);
     T least = 0, most = 1, a = 1, slope_there = 0;
     const Screw<Dim, T> y = point.y;
+    if constexpr (!std::is_same_v<T, double>) {
+      // Near the apex of a round cone the way up is bent: a part of the step, and a correction
+      // across it.
+      bool rises = false;
+      for (T part = 1; part > 1e-3 && !rises; part *= 0.25) {
+        const T enough = before + 0.1 * part * slope;
+        evaluate_at(y + part * dy);
+        for (int k = 0; k < 2 && point.value < enough; ++k) {
+          Square<Dim, T> across = curvature_here();
+          across.diagonal().array() += 30 * slope / dy.squaredNorm();
+          evaluate_at(point.y + newton_step(across, point.residual));
+        }
+        rises = point.value >= enough;
+      }
+      if (rises) continue;
+    }
     for (int trial = 0; trial < 60; ++trial) {
       evaluate_at(y + a * dy);
       slope_there = point.residual.dot(dy);
@@ -175,10 +189,6 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
     }
     using std::abs;
     const bool cut = a < 1;
-    if (!std::is_same_v<T, double>) {
-      const T gone = a * span(dy);
-      radius = cut ? T(2 * gone) : std::max<T>(radius, 4 * gone);
-    }
     settled = !cut && abs(slope_there) <= 1e-6 * slope;
     // Still rising where every step is long: does it rise for ever?
     if (rho == 0 && stretch > reach && slope_there > 0.5 * slope) {

@@ -73,28 +73,35 @@ struct Plane {
   double b;     ///< n . x = b
 };
 
-/// The posture nearest to `up` on these planes, if there is one.
-Vector<3> onto_planes(const Vector<3>& up, const std::vector<Plane>& planes) {
-  std::vector<Plane> basis;
-  for (Plane plane : planes) {
-    for (const Plane& other : basis) {
-      const double along = other.n.dot(plane.n);
-      plane.n -= along * other.n;
-      plane.b -= along * other.b;
+/// The point nearest to x on these planes, as the sum of what they fix and what they leave; x
+/// itself where they have no more than a point in common.
+struct OnPlanes {
+  OnPlanes(const Vector<3>& x, const std::vector<Plane>& planes) : along(x) {
+    std::vector<Plane> basis;
+    for (Plane plane : planes) {
+      for (const Plane& other : basis) {
+        const double part = other.n.dot(plane.n);
+        plane.n -= part * other.n;
+        plane.b -= part * other.b;
+      }
+      const double left = plane.n.norm();
+      if (left > 1e-4) basis.push_back({plane.n / left, plane.b / left});
     }
-    const double left = plane.n.norm();
-    if (left > 1e-4) basis.push_back({plane.n / left, plane.b / left});
+    if (basis.size() > 2) return;
+    for (const Plane& plane : basis) {
+      along -= plane.n.dot(along) * plane.n;
+      fixed += plane.b * plane.n;
+    }
   }
-  if (basis.size() > 2) return up;
-  Vector<3> along = up, middle = Vector<3>::Zero();
-  for (const Plane& plane : basis) {
-    along -= plane.n.dot(along) * plane.n;
-    middle += plane.b * plane.n;
+  Vector<3> load() const { return fixed + along; }
+  /// The posture in this direction; `up` if there is none.
+  Vector<3> posture(const Vector<3>& up) const {
+    const double rest = 1 - fixed.squaredNorm();
+    if (!(along.norm() > 1e-3) || !(rest > 0)) return up;
+    return (fixed + std::sqrt(rest) * along.normalized()).normalized();
   }
-  const double rest = 1 - middle.squaredNorm();
-  if (!(along.norm() > 1e-3) || !(rest > 0)) return up;
-  return (middle + std::sqrt(rest) * along.normalized()).normalized();
-}
+  Vector<3> fixed = Vector<3>::Zero(), along;
+};
 
 /// Minimises the greatest effort of the scenarios over the unit vectors of all cones.
 class Search {
@@ -129,8 +136,6 @@ class Search {
   /// Where it is far from the best, V is only rough; the row is right in any case.
   Evaluation evaluate(const Vector<3>& x, const Row* from = nullptr, bool exact = false);
 
-  /// Takes a posture into account that was found elsewhere.
-  void suggest(const Vector<3>& up) { visit(up, nullptr); }
   void run();
 
   double best_V() const { return best_V_; }
@@ -160,13 +165,14 @@ class Search {
   /// By more than the wanted gap would notice.
   bool improves(double V) const { return V < (1 - 1e-3 * gap_) * best_V_; }
   /// Between the target and the best.
-  bool below(double V) const { return V <= (1 - 0.5 * gap_) * best_V_; }
+  bool below(double V) const { return V < infinity && V <= (1 - 0.5 * gap_) * best_V_; }
   bool inside(const Vector<3>& up) const {
     return std::all_of(cones_.begin(), cones_.end(),
                        [&](const Cone& cone) { return cone.excess(up) <= 1e-9; });
   }
   /// Evaluates, remembers the row and whether it is the best; false: unholdable.
   bool visit(const Vector<3>& up, const Row* from, std::size_t hint = Polytope::none);
+  std::vector<Plane> meant(const Vector<3>& x, const std::array<int, 3>& planes) const;
   Vector<3> snapped(const Vector<3>& x, const std::array<int, 3>& planes) const;
   const Row* neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const;
   bool stay_inside(const Vector<3>& x, const std::array<int, 3>& planes, std::size_t vertex);
@@ -297,19 +303,23 @@ bool Search::visit(const Vector<3>& up, const Row* from, std::size_t hint) {
   return e.V < infinity;
 }
 
-/// Where holdable postures have no inside, the planes that leave nothing else are meant to be hit:
+/// Where what can be held has no inside, the planes that leave nothing else are meant to be hit:
 /// what is a little beside them is so by rounding.
-Vector<3> Search::snapped(const Vector<3>& x, const std::array<int, 3>& planes) const {
-  const Vector<3> up = x.normalized();
+std::vector<Plane> Search::meant(const Vector<3>& x, const std::array<int, 3>& planes) const {
   std::vector<Plane> hit;
   for (const int id : planes) {
     if (id < 6) continue;
     const Row& row = rows_[static_cast<std::size_t>(id - 6)];
     if (row.holdable) continue;
     const double b = limited_ ? right_hand_side(row) : 0;
-    if (std::abs(row.n.dot(up) - b) <= 1e-7) hit.push_back({row.n, b});
+    if (std::abs(row.n.dot(x) - b) <= 1e-7) hit.push_back({row.n, b});
   }
-  return onto_planes(up, hit);
+  return hit;
+}
+
+Vector<3> Search::snapped(const Vector<3>& x, const std::array<int, 3>& planes) const {
+  const Vector<3> up = x.normalized();
+  return OnPlanes(up, meant(up, planes)).posture(up);
 }
 
 const Row* Search::neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const {
@@ -367,7 +377,7 @@ bool Search::shrink() {
   bool beyond = !holdable;  // of all that can be held
   if (there_still() && limited_) {
     // With min_normal a heavier object may need less.
-    const double V = cut_by(evaluate(x, from));
+    const double V = cut_by(evaluate(OnPlanes(x, meant(x, planes)).load(), from));
     beyond = !(V < infinity);
     if (there_still() && below(V)) {
       heavier_ = Load{x, V};
@@ -421,6 +431,14 @@ bool Search::cross() {
 void Search::run() {
   for (const Cone& cone : cones_)
     if (best_V_ == infinity && inside(cone.axis)) visit(cone.axis, nullptr);
+  // A contact right under the com carries alone, perhaps in this posture only.
+  for (const Scenario& scenario : scenarios_)
+    for (const Contact<3>& contact : scenario.grasp->contacts()) {
+      const Vector<3> arm = contact.position - scenario.grasp->object().com;
+      if (arm.cross(contact.normal).norm() <= 1e-9 * scenario.grasp->radius() &&
+          inside(contact.normal))
+        visit(contact.normal, nullptr);
+    }
   if (limited_) {
     const Evaluation none = evaluate(Vector<3>::Zero(), nullptr, true);
     if (none.V < infinity) lighter_ = Load{Vector<3>::Zero(), none.V};
@@ -591,7 +609,7 @@ std::vector<Vector<3>> starts(Search& search, const std::vector<Scenario>& scena
   std::vector<Vector<3>> ups = spiral(count, all);
   std::vector<double> V;
   for (Vector<3>& up : ups) {
-    up = onto_planes(up, planes);
+    up = OnPlanes(up, planes).posture(up);
     V.push_back(search.evaluate(up).V);
   }
   // Twice the distance between neighbours.

@@ -222,22 +222,26 @@ bool decide(const Cones<3, Wide>& cones, const Screw<3, Wide>& w, double force_c
   point.y.setZero();
   Wide last = infinity;
   // A pull towards y = 0 that fades away: y is bounded whether w can be held or not.
-  int failures = 0;
-  for (double rho = 1e-6; rho > 1e-25 && failures < 3; rho *= 0.1) {
-    if (!ascend<3, Wide>(cones, w, Screw<3, Wide>(point.y), infinity, rho, point)) ++failures;
+  for (double rho = 1e-6; rho > 1e-25;) {
+    const Screw<3, Wide> before = point.y;
+    ascend<3, Wide>(cones, w, before, infinity, rho, point);
     point.residual += Wide(rho) * point.y;
     point.value += rho / 2 * point.y.squaredNorm();
     const Wide missing = size<3, Wide>(point.residual);
-    if (missing <= 0.4 * delta) {
+    if (missing <= 0.95 * delta) {
       Point<3, Wide> finished = point;
       if (finish(cones, w, finished)) point = finished;
       return squared_norm(point) <= cap;
     }
     if (lower_bound(point) > cap) return false;
-    // What does not shrink is the distance of w from what can be balanced, and y points along it.
-    if (missing > 0.9 * last &&
-        prove_along(cones, w, Screw<3, Wide>(point.y / length<3, Wide>(point.y)), force_cap, point))
-      return false;
+    // What does not shrink is the distance of w from what can be balanced: y grows along it.
+    if (missing > 0.9 * last) {
+      const Screw<3, Wide> y = point.y;
+      for (const Screw<3, Wide>& way : {Screw<3, Wide>(y - before), y})
+        if (prove_along(cones, w, Screw<3, Wide>(way / length<3, Wide>(way)), force_cap, point))
+          return false;
+    }
+    rho *= std::clamp(static_cast<double>(0.5 * delta / missing), 1e-3, 0.1);
     last = missing;
   }
   // The dual rises ever more slowly, but above the cap: held only with ever greater forces.
