@@ -128,8 +128,10 @@ class Search {
     polytope_ = box();
     for (std::size_t s = 0; s < scenarios.size(); ++s)
       for (const Twist<3>& unfelt : scenarios[s].grasp->scaled().unfelt)
-        if (unfelt.head<3>().norm() > 1e-9)
+        if (unfelt.head<3>().norm() > 1e-9) {
+          thin_.push_back({unfelt.head<3>().normalized(), 0});
           for (const double sign : {1.0, -1.0}) nothing_resists(s, sign * unfelt);
+        }
   }
 
   /// V at weight `x` (unit vector: a posture), from the y of a row.
@@ -138,6 +140,8 @@ class Search {
 
   void run();
 
+  /// Turns that nobody feels leave only loads on these planes.
+  const std::vector<Plane>& thin() const { return thin_; }
   double best_V() const { return best_V_; }
   const Vector<3>& best_up() const { return best_up_; }
   const Row& best_row() const { return best_row_; }
@@ -190,17 +194,22 @@ class Search {
   bool rough_, limited_{false};
   double cap_{0}, shares_{0}, t_{1};
   std::size_t heaviest_{0};
+  std::vector<Plane> thin_;
   std::vector<Row> rows_;  ///< plane 6 + i of the polytope is row i
   Polytope polytope_{1};
   double best_V_{infinity};
   Vector<3> best_up_ = Vector<3>::Zero();
   Row best_row_;
-  int beyond_in_a_row_{0};
+  int beyond_in_a_row_{0}, refuted_{0};
   /// Loads of the domain known to need no more: lighter than the object, and heavier.
   std::optional<Load> lighter_, heavier_;
 };
 
-Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
+Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact) {
+  Vector<3> x = given;
+  if (std::all_of(thin_.begin(), thin_.end(),
+                  [&](const Plane& plane) { return std::abs(plane.n.dot(given)) < 1e-6; }))
+    x = OnPlanes(given, thin_).load();
   Evaluation worst;
   worst.V = -1;
   Wrench<3> w;
@@ -214,11 +223,15 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
     const double in_units = scenario.weight * scenario.weight;
     bool holdable = !exact && dual::approach(grasp, w, start, scenario.cap, point);
     double square = dual::squared_norm(point);
-    if (exact || (!rough_ && holdable && improves(in_units * square))) {
+    // Where the two disagree again and again, beside what can be held, the first is not believed.
+    if (holdable && !exact && !rough_ && improves(in_units * square) && refuted_ > 20) {
+      holdable = false;
+    } else if (exact || (!rough_ && holdable && improves(in_units * square))) {
       dual::Point<3> rough = point;
       const bool approached = holdable;
       holdable = dual::maximise(grasp, w, exact ? start : Twist<3>(point.y), scenario.cap, point);
       square = dual::squared_norm(point);
+      if (approached && !holdable) ++refuted_;
       // Rounding of a load may ask for a very long y, of no use for other loads.
       if (approached && holdable && dual::span(point.y) > 1e3 * dual::span(rough.y)) point = rough;
     }
@@ -293,7 +306,7 @@ bool Search::visit(const Vector<3>& up, const Row* from, std::size_t hint) {
   rows_.push_back(e.row);
   if (better) {
     best_V_ = e.V;
-    best_up_ = up;
+    best_up_ = e.row.at;
     best_row_ = e.row;
   }
   if (better && limited_)
@@ -411,12 +424,18 @@ bool Search::recede() {
   const double before = best_V_;
   if (x.norm() > 1e-3) visit(x.normalized(), nullptr);
   if (best_V_ < before) return true;
-  const Evaluation e = evaluate(x);
-  rows_.push_back(e.row);
-  if (cut(rows_.size() - 1, Polytope::none)) return true;
-  if (!below(e.V)) return false;
-  lighter_ = Load{x, e.V};
-  return true;
+  const auto try_load = [&](const Vector<3>& load) {
+    const Evaluation e = evaluate(load);
+    rows_.push_back(e.row);
+    cut(rows_.size() - 1, Polytope::none);
+    if (load.norm() < 1 && below(e.V)) lighter_ = Load{load, e.V};
+    return e.V;
+  };
+  // It lies outside of what can be held: look from the inside, too.
+  beyond_in_a_row_ = try_load(x) < infinity ? 0 : beyond_in_a_row_ + 1;
+  if (beyond_in_a_row_ > 0) try_load(x + std::ldexp(1, -beyond_in_a_row_) * (heavier_->x - x));
+  return beyond_in_a_row_ < 40 &&
+         ((lighter_ && below(lighter_->V)) || polytope_.empty() || polytope_.nearest() != x);
 }
 
 /// Between a lighter load and a heavier one that need at most t_ there is a posture that does.
@@ -602,14 +621,10 @@ std::vector<Vector<3>> spiral(int count, const Cone& cone) {
 std::vector<Vector<3>> starts(Search& search, const std::vector<Scenario>& scenarios,
                               const std::vector<Cone>& domain, int count) {
   const Cone all = domain.empty() ? Cone{Vector<3>::UnitZ(), pi} : domain.front();
-  // Turns that nobody feels leave only the postures across them.
-  std::vector<Plane> planes;
-  for (const Twist<3>& unfelt : scenarios.front().grasp->scaled().unfelt)
-    if (unfelt.head<3>().norm() > 1e-9) planes.push_back({unfelt.head<3>().normalized(), 0});
   std::vector<Vector<3>> ups = spiral(count, all);
   std::vector<double> V;
   for (Vector<3>& up : ups) {
-    up = OnPlanes(up, planes).posture(up);
+    up = OnPlanes(up, search.thin()).posture(up);
     V.push_back(search.evaluate(up).V);
   }
   // Twice the distance between neighbours.
