@@ -174,8 +174,8 @@ class Search {
     return std::all_of(cones_.begin(), cones_.end(),
                        [&](const Cone& cone) { return cone.excess(up) <= 1e-9; });
   }
-  /// Evaluates, remembers the row and whether it is the best; false: unholdable.
-  bool visit(const Vector<3>& up, const Row* from, std::size_t hint = Polytope::none);
+  /// Evaluates, remembers the row and whether it is the best.
+  double visit(const Vector<3>& up, const Row* from, std::size_t hint = Polytope::none);
   std::vector<Plane> meant(const Vector<3>& x, const std::array<int, 3>& planes) const;
   Vector<3> snapped(const Vector<3>& x, const std::array<int, 3>& planes) const;
   const Row* neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const;
@@ -191,7 +191,7 @@ class Search {
   std::vector<Cone> cones_;
   double gap_;
   int max_holds_, holds_{0};
-  bool rough_, limited_{false};
+  bool rough_, limited_{false}, heavier_is_easier_{false};
   double cap_{0}, shares_{0}, t_{1};
   std::size_t heaviest_{0};
   std::vector<Plane> thin_;
@@ -300,7 +300,7 @@ void Search::rebuild() {
   for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
 }
 
-bool Search::visit(const Vector<3>& up, const Row* from, std::size_t hint) {
+double Search::visit(const Vector<3>& up, const Row* from, std::size_t hint) {
   Evaluation e = evaluate(up, from);
   const bool better = improves(e.V) && inside(up);
   rows_.push_back(e.row);
@@ -313,7 +313,7 @@ bool Search::visit(const Vector<3>& up, const Row* from, std::size_t hint) {
     rebuild();
   else
     cut(rows_.size() - 1, hint);
-  return e.V < infinity;
+  return e.V;
 }
 
 /// Where what can be held has no inside, the planes that leave nothing else are meant to be hit:
@@ -378,7 +378,8 @@ bool Search::shrink() {
   const Row start = nearest != nullptr ? *nearest : Row{};
   const Row* from = nearest != nullptr ? &start : nullptr;
   const double before = best_V_;
-  const bool holdable = visit(up, from, far);
+  const double at_up = visit(up, from, far);
+  const bool holdable = at_up < infinity;
   if (limited_ && best_V_ < before) return true;
   const auto there_still = [&] { return polytope_[far].alive && polytope_[far].x == x; };
   const auto cut_by = [&](const Evaluation& e) {
@@ -392,6 +393,7 @@ bool Search::shrink() {
     // With min_normal a heavier object may need less.
     const double V = cut_by(evaluate(OnPlanes(x, meant(x, planes)).load(), from));
     beyond = !(V < infinity);
+    heavier_is_easier_ = V <= at_up;
     if (there_still() && below(V)) {
       heavier_ = Load{x, V};
       return true;
@@ -433,7 +435,8 @@ bool Search::recede() {
   };
   // It lies outside of what can be held: look from the inside, too.
   beyond_in_a_row_ = try_load(x) < infinity ? 0 : beyond_in_a_row_ + 1;
-  if (beyond_in_a_row_ > 0) try_load(x + std::ldexp(1, -beyond_in_a_row_) * (heavier_->x - x));
+  const Vector<3> inside = heavier_ ? heavier_->x : best_up_;
+  if (beyond_in_a_row_ > 0) try_load(x + std::ldexp(1, -beyond_in_a_row_) * (inside - x));
   return beyond_in_a_row_ < 40 &&
          ((lighter_ && below(lighter_->V)) || polytope_.empty() || polytope_.nearest() != x);
 }
@@ -466,7 +469,12 @@ void Search::run() {
     if ((1 - gap_) * best_V_ <= 1 / shares_) break;  // less holds nothing
     const bool may_be_heavier = heavier_ && below(heavier_->V);
     const bool may_be_lighter = lighter_ && below(lighter_->V);
-    const bool goes_on = !may_be_heavier ? shrink() : may_be_lighter ? cross() : recede();
+    // While neither is known it is tried in turns.
+    const bool outwards = may_be_heavier || (heavier_is_easier_ && !may_be_lighter);
+    heavier_is_easier_ = false;
+    const bool goes_on = may_be_heavier && may_be_lighter ? cross()
+                         : outwards ? recede() || !(may_be_heavier || proven())
+                                    : shrink();
     if (!goes_on) break;
   }
 }
