@@ -433,12 +433,15 @@ bool Search::recede() {
     if (load.norm() < 1 && below(e.V)) lighter_ = Load{load, e.V};
     return e.V;
   };
-  // It lies outside of what can be held: look from the inside, too.
-  beyond_in_a_row_ = try_load(x) < infinity ? 0 : beyond_in_a_row_ + 1;
+  const auto done = [&] {
+    return (lighter_ && below(lighter_->V)) || polytope_.empty() || polytope_.nearest() != x;
+  };
+  // Where it lies outside of what can be held by rounding, it is approached from the inside.
+  const double V = try_load(x);
   const Vector<3> inside = heavier_ ? heavier_->x : best_up_;
-  if (beyond_in_a_row_ > 0) try_load(x + std::ldexp(1, -beyond_in_a_row_) * (inside - x));
-  return beyond_in_a_row_ < 40 &&
-         ((lighter_ && below(lighter_->V)) || polytope_.empty() || polytope_.nearest() != x);
+  for (int k = 1; k <= 40 && !done() && !(V < infinity); ++k)
+    try_load(x + std::ldexp(1, -k) * (inside - x));
+  return done();
 }
 
 /// Between a lighter load and a heavier one that need at most t_ there is a posture that does.
