@@ -160,18 +160,38 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
     const T before = point.value, slope = point.residual.dot(dy);
     T least = 0, most = 1, a = 1, slope_there = 0;
     const Screw<Dim, T> y = point.y;
+    using std::abs;
+    if constexpr (!std::is_same_v<T, double>) {
+      // Near the apex of a round cone the way up is bent: a part of the step, and a correction
+      // across it.
+      bool rises = false;
+      for (T part = 1; part > 1e-3 && !rises; part *= 0.25) {
+        const T enough = before + 0.1 * part * slope;
+        evaluate_at(y + part * dy);
+        for (int k = 0; k < 2 && point.value < enough; ++k) {
+          Square<Dim, T> across = curvature_here();
+          across.diagonal().array() += 30 * slope / dy.squaredNorm();
+          evaluate_at(point.y + newton_step(across, point.residual));
+        }
+        rises = point.value >= enough;
+      }
+      if (rises) continue;
+    }
     for (int trial = 0; trial < 60; ++trial) {
       evaluate_at(y + a * dy);
       slope_there = point.residual.dot(dy);
-      if (trial == 0 && point.value - before >= 0.1 * slope) break;  // the full step will do
+      // The full step will do if it rises as it should, or by less than rounding shows.
+      if (trial == 0 &&
+          (point.value - before >= 0.1 * slope || slope <= 4 * rounding * abs(before)))
+        break;
       // Else stop where the slope vanishes: it falls with a, piecewise linearly.
-      using std::abs;
-      if (abs(slope_there) <= 1e-9 * slope || most - least <= 4.5 * rounding * most) break;
+      if (abs(slope_there) <= (Dim == 2 ? 1e-9 : 1e-2) * slope ||
+          most - least <= 4.5 * rounding * most)
+        break;
       (slope_there > 0 ? least : most) = a;
       a += slope_there / quadratic(curvature_here(), dy);
       if (!(a > least && a < most)) a = (least + most) / 2;
     }
-    using std::abs;
     const bool cut = a < 1;
     settled = !cut && abs(slope_there) <= 1e-6 * slope;
     // Still rising where every step is long: does it rise for ever?

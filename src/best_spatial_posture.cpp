@@ -32,6 +32,11 @@ struct Row {
   bool holdable{false}, plane{false};
 };
 
+struct Load {
+  Vector<3> x;
+  double V;
+};
+
 struct Evaluation {
   double V{infinity};  ///< infinite where unholdable
   Row row;
@@ -63,11 +68,52 @@ struct Cone {
   }
 };
 
+struct Plane {
+  Vector<3> n;  ///< of length 1
+  double b;     ///< n . x = b
+};
+
+/// The point nearest to x on these planes, as the sum of what they fix and what they leave; x
+/// itself where they have no more than a point in common.
+struct OnPlanes {
+  OnPlanes(const Vector<3>& x, const std::vector<Plane>& planes) : along(x) {
+    std::vector<Plane> basis;
+    for (Plane plane : planes) {
+      for (const Plane& other : basis) {
+        const double part = other.n.dot(plane.n);
+        plane.n -= part * other.n;
+        plane.b -= part * other.b;
+      }
+      const double left = plane.n.norm();
+      if (left > 1e-4) basis.push_back({plane.n / left, plane.b / left});
+    }
+    if (basis.size() > 2) return;
+    for (const Plane& plane : basis) {
+      along -= plane.n.dot(along) * plane.n;
+      fixed += plane.b * plane.n;
+    }
+  }
+  Vector<3> load() const { return fixed + along; }
+  /// The posture in this direction; `up` if there is none.
+  Vector<3> posture(const Vector<3>& up) const {
+    const double rest = 1 - fixed.squaredNorm();
+    if (!(along.norm() > 1e-3) || !(rest > 0)) return up;
+    return (fixed + std::sqrt(rest) * along.normalized()).normalized();
+  }
+  Vector<3> fixed = Vector<3>::Zero(), along;
+};
+
 /// Minimises the greatest effort of the scenarios over the unit vectors of all cones.
 class Search {
  public:
-  Search(const std::vector<Scenario>& scenarios, std::vector<Cone> cones, double gap, int max_holds)
-      : scenarios_(scenarios), cones_(std::move(cones)), gap_(gap), max_holds_(max_holds) {
+  /// `rough`: with holds to the digits that doubles give at once, for what needs no proof.
+  Search(const std::vector<Scenario>& scenarios, std::vector<Cone> cones, double gap, int max_holds,
+         bool rough = false)
+      : scenarios_(scenarios),
+        cones_(std::move(cones)),
+        gap_(gap),
+        max_holds_(max_holds),
+        rough_(rough) {
     for (const Scenario& s : scenarios) {
       limited_ = limited_ || s.grasp->scaled().limited;
       cap_ = std::max(cap_, s.cap * s.weight);
@@ -82,18 +128,20 @@ class Search {
     polytope_ = box();
     for (std::size_t s = 0; s < scenarios.size(); ++s)
       for (const Twist<3>& unfelt : scenarios[s].grasp->scaled().unfelt)
-        if (unfelt.head<3>().norm() > 1e-9)
+        if (unfelt.head<3>().norm() > 1e-9) {
+          thin_.push_back({unfelt.head<3>().normalized(), 0});
           for (const double sign : {1.0, -1.0}) nothing_resists(s, sign * unfelt);
+        }
   }
 
   /// V at weight `x` (unit vector: a posture), from the y of a row.
   /// Where it is far from the best, V is only rough; the row is right in any case.
   Evaluation evaluate(const Vector<3>& x, const Row* from = nullptr, bool exact = false);
 
-  /// Takes a posture into account that was found elsewhere.
-  void suggest(const Vector<3>& up) { visit(up, nullptr); }
   void run();
 
+  /// Turns that nobody feels leave only loads on these planes.
+  const std::vector<Plane>& thin() const { return thin_; }
   double best_V() const { return best_V_; }
   const Vector<3>& best_up() const { return best_up_; }
   const Row& best_row() const { return best_row_; }
@@ -105,43 +153,63 @@ class Search {
   std::vector<Cut> certificate(double t) const;
 
  private:
-  Polytope box() const { return Polytope(std::sqrt(t_ * shares_)); }
+  /// With limits loads near the unit sphere are all that counts.
+  Polytope box() const {
+    const double half = std::sqrt(t_ * shares_);
+    return Polytope(limited_ ? std::min(half, 2.0) : half);
+  }
   /// The effort whose level set is cut: with limits the rows' right-hand sides depend on it. Where
   /// nothing holds, a little above the cap, which proofs exceed by a tenth.
   double target() const {
-    return std::min((1 - gap_) * (1 + 1e-3 * gap_) * std::min(best_V_, relaxed_),
-                    1.01 * cap_ * cap_);
+    return std::min((1 - gap_) * (1 + 1e-3 * gap_) * best_V_, 1.01 * cap_ * cap_);
   }
   double right_hand_side(const Row& row) const;
   bool cut(std::size_t row, std::size_t hint);
   void rebuild();
+  /// By more than the wanted gap would notice.
+  bool improves(double V) const { return V < (1 - 1e-3 * gap_) * best_V_; }
+  /// Between the target and the best.
+  bool below(double V) const { return V < infinity && V <= (1 - 0.5 * gap_) * best_V_; }
   bool inside(const Vector<3>& up) const {
     return std::all_of(cones_.begin(), cones_.end(),
                        [&](const Cone& cone) { return cone.excess(up) <= 1e-9; });
   }
-  /// Evaluates, remembers the row and whether it is the best; false: unholdable.
-  bool visit(const Vector<3>& up, const Row* from);
+  /// Evaluates, remembers the row and whether it is the best.
+  double visit(const Vector<3>& up, const Row* from, std::size_t hint = Polytope::none);
+  std::vector<Plane> meant(const Vector<3>& x, const std::array<int, 3>& planes) const;
   Vector<3> snapped(const Vector<3>& x, const std::array<int, 3>& planes) const;
   const Row* neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const;
-  bool stay_inside(std::size_t vertex);
+  bool stay_inside(const Vector<3>& x, const std::array<int, 3>& planes, std::size_t vertex);
+  bool shrink();
+  bool recede();
+  bool cross();
+  bool proven() const;
+  double bound_by_cuts();
   void nothing_resists(std::size_t scenario, const Twist<3>& y);
 
   const std::vector<Scenario>& scenarios_;
   std::vector<Cone> cones_;
   double gap_;
   int max_holds_, holds_{0};
-  bool limited_{false};
-  double cap_{0}, shares_{0}, t_{1}, relaxed_{infinity};
+  bool rough_, limited_{false}, heavier_is_easier_{false};
+  double cap_{0}, shares_{0}, t_{1};
   std::size_t heaviest_{0};
+  std::vector<Plane> thin_;
   std::vector<Row> rows_;  ///< plane 6 + i of the polytope is row i
   Polytope polytope_{1};
   double best_V_{infinity};
   Vector<3> best_up_ = Vector<3>::Zero();
   Row best_row_;
-  int unholdable_in_a_row_{0};
+  int beyond_in_a_row_{0}, refuted_{0};
+  /// Loads of the domain known to need no more: lighter than the object, and heavier.
+  std::optional<Load> lighter_, heavier_;
 };
 
-Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
+Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact) {
+  Vector<3> x = given;
+  if (std::all_of(thin_.begin(), thin_.end(),
+                  [&](const Plane& plane) { return std::abs(plane.n.dot(given)) < 1e-6; }))
+    x = OnPlanes(given, thin_).load();
   Evaluation worst;
   worst.V = -1;
   Wrench<3> w;
@@ -155,11 +223,15 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
     const double in_units = scenario.weight * scenario.weight;
     bool holdable = !exact && dual::approach(grasp, w, start, scenario.cap, point);
     double square = dual::squared_norm(point);
-    if (exact || (holdable && !(in_units * square > (1 + 1e-6) * best_V_))) {
+    // Where the two disagree again and again, beside what can be held, the first is not believed.
+    if (holdable && !exact && !rough_ && improves(in_units * square) && refuted_ > 20) {
+      holdable = false;
+    } else if (exact || (!rough_ && holdable && improves(in_units * square))) {
       dual::Point<3> rough = point;
       const bool approached = holdable;
       holdable = dual::maximise(grasp, w, exact ? start : Twist<3>(point.y), scenario.cap, point);
       square = dual::squared_norm(point);
+      if (approached && !holdable) ++refuted_;
       // Rounding of a load may ask for a very long y, of no use for other loads.
       if (approached && holdable && dual::span(point.y) > 1e3 * dual::span(rough.y)) point = rough;
     }
@@ -168,6 +240,13 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
     if (!(V > worst.V)) continue;
     worst.V = V;
     Row& row = worst.row;
+    // Where nothing holds, y goes far along a direction; farther may cut deeper.
+    if (limited_ && !holdable) {
+      dual::Point<3> far = point;
+      dual::evaluate<3, double>(grasp, w, Twist<3>(1e3 * point.y), far);
+      const double half = t_ / (2 * in_units);
+      if (far.value - half > 1e3 * (point.value - half)) point = far;
+    }
     row.y = point.y;
     row.speed = point.y.head<3>().norm();
     row.n = point.y.head<3>() / row.speed;
@@ -175,7 +254,7 @@ Evaluation Search::evaluate(const Vector<3>& x, const Row* from, bool exact) {
     const double rounding = 2.2e-16 * point.y.cwiseAbs().sum();
     const double norm = std::sqrt(dual::squared_norm(point)) +
                         rounding * std::sqrt(static_cast<double>(grasp.size));
-    row.phi = limited_ ? std::max(point.y.dot(w) - point.value, 0.0) : 0.5 * norm * norm;
+    row.phi = limited_ ? point.y.dot(w) - point.value : 0.5 * norm * norm;
     row.scenario = s;
     row.at = x;
     row.holdable = holdable;
@@ -193,7 +272,7 @@ void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
   dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), row.y, point);
   row.speed = row.y.head<3>().norm();
   row.n = row.y.head<3>() / row.speed;
-  row.phi = std::max(-point.value, 0.0) + 1e-30 * row.y.squaredNorm();
+  row.phi = (limited_ ? -point.value : std::max(-point.value, 0.0)) + 1e-30 * row.y.squaredNorm();
   row.scenario = scenario;
   rows_.push_back(row);
   cut(rows_.size() - 1, Polytope::none);
@@ -203,15 +282,16 @@ void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
 double Search::right_hand_side(const Row& row) const {
   if (row.plane) return 0;
   const double weight = scenarios_[row.scenario].weight, half = t_ / (2 * weight * weight);
-  return limited_ ? (half + row.phi) / row.speed : 2 * std::sqrt(half * row.phi) / row.speed;
+  const double felt = limited_ ? half + row.phi : 2 * std::sqrt(half * row.phi);
+  return (felt + dual::delta * dual::length<3, double>(row.y)) / row.speed;
 }
 
 bool Search::cut(std::size_t row, std::size_t hint) {
   const Row& r = rows_[row];
   const int id = 6 + static_cast<int>(row);
   if (!r.plane && !(r.speed > 1e-300)) return false;
-  if (hint == Polytope::none) return polytope_.cut(r.n, right_hand_side(r), id);
-  return polytope_.cut(r.n, right_hand_side(r), id, hint);
+  const double b = right_hand_side(r);
+  return (hint != Polytope::none && polytope_.cut(r.n, b, id, hint)) || polytope_.cut(r.n, b, id);
 }
 
 void Search::rebuild() {
@@ -220,38 +300,39 @@ void Search::rebuild() {
   for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
 }
 
-bool Search::visit(const Vector<3>& up, const Row* from) {
+double Search::visit(const Vector<3>& up, const Row* from, std::size_t hint) {
   Evaluation e = evaluate(up, from);
-  const bool better = e.V < best_V_ && inside(up);
+  const bool better = improves(e.V) && inside(up);
   rows_.push_back(e.row);
   if (better) {
     best_V_ = e.V;
-    best_up_ = up;
+    best_up_ = e.row.at;
     best_row_ = e.row;
   }
   if (better && limited_)
     rebuild();
   else
-    cut(rows_.size() - 1, Polytope::none);
-  return e.V < infinity;
+    cut(rows_.size() - 1, hint);
+  return e.V;
 }
 
-/// Where holdable postures have no inside, the planes that leave nothing else go through 0: what is
-/// a little beside them by rounding is meant to be on them.
-Vector<3> Search::snapped(const Vector<3>& x, const std::array<int, 3>& planes) const {
-  Vector<3> up = x.normalized();
-  std::vector<Vector<3>> basis;
+/// Where what can be held has no inside, the planes that leave nothing else are meant to be hit:
+/// what is a little beside them is so by rounding.
+std::vector<Plane> Search::meant(const Vector<3>& x, const std::array<int, 3>& planes) const {
+  std::vector<Plane> hit;
   for (const int id : planes) {
     if (id < 6) continue;
     const Row& row = rows_[static_cast<std::size_t>(id - 6)];
-    if (row.holdable || std::abs(row.n.dot(up)) > 1e-7) continue;
-    Vector<3> n = row.n;
-    for (const Vector<3>& b : basis) n -= b.dot(n) * b;
-    if (n.norm() > 1e-4) basis.push_back(n.normalized());
+    if (row.holdable) continue;
+    const double b = limited_ ? right_hand_side(row) : 0;
+    if (std::abs(row.n.dot(x) - b) <= 1e-7) hit.push_back({row.n, b});
   }
-  if (basis.size() > 2) return up;
-  for (const Vector<3>& b : basis) up -= b.dot(up) * b;
-  return up.normalized();
+  return hit;
+}
+
+Vector<3> Search::snapped(const Vector<3>& x, const std::array<int, 3>& planes) const {
+  const Vector<3> up = x.normalized();
+  return OnPlanes(up, meant(up, planes)).posture(up);
 }
 
 const Row* Search::neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const {
@@ -265,97 +346,170 @@ const Row* Search::neighbour(const Vector<3>& x, const std::array<int, 3>& plane
   return nearest;
 }
 
-/// A plane for a vertex outside of the domain. True if there was need for one.
-bool Search::stay_inside(std::size_t vertex) {
-  const Vector<3> x = polytope_[vertex].x;
+/// A plane for a point of the polytope outside of the domain. True if there was need for one.
+bool Search::stay_inside(const Vector<3>& x, const std::array<int, 3>& planes, std::size_t vertex) {
   for (const Cone& cone : cones_) {
     const double excess = cone.excess(x);
     if (!(excess > 1e-12)) continue;
-    const Row* from = neighbour(x, polytope_[vertex].planes);
+    const Row* from = neighbour(x, planes);
     const Row start = from != nullptr ? *from : Row{};
     Row row;
     row.n = cone.plane(x).normalized();
     row.plane = true;
     rows_.push_back(row);
-    if (!cut(rows_.size() - 1, vertex)) polytope_[vertex].tried = true;
+    if (!cut(rows_.size() - 1, vertex) && vertex != Polytope::none) polytope_[vertex].tried = true;
     if (excess < 1e-2) visit(cone.nearest(x), from != nullptr ? &start : nullptr);
     return true;
   }
   return false;
 }
 
+/// Cuts off the farthest vertex outside of the unit ball. False: there is none.
+bool Search::shrink() {
+  const std::size_t far = polytope_.farthest(false);
+  if (far == Polytope::none) return false;
+  const double enough = limited_ ? 1 : 1 / target();  // of |x|^2
+  if (polytope_[far].square <= enough) return false;
+  const Vector<3> x = polytope_[far].x;
+  const std::array<int, 3> planes = polytope_[far].planes;
+  if (stay_inside(x, planes, far)) return true;
+  const Vector<3> up = snapped(x, planes);
+  const Row* nearest = neighbour(x, planes);
+  const Row start = nearest != nullptr ? *nearest : Row{};
+  const Row* from = nearest != nullptr ? &start : nullptr;
+  const double before = best_V_;
+  const double at_up = visit(up, from, far);
+  const bool holdable = at_up < infinity;
+  if (limited_ && best_V_ < before) return true;
+  const auto there_still = [&] { return polytope_[far].alive && polytope_[far].x == x; };
+  const auto cut_by = [&](const Evaluation& e) {
+    rows_.push_back(e.row);
+    cut(rows_.size() - 1, far);
+    return e.V;
+  };
+  if (there_still() && !rough_ && (holdable || !limited_)) cut_by(evaluate(up, from, true));
+  bool beyond = !holdable;  // of all that can be held
+  if (there_still() && limited_) {
+    // With min_normal a heavier object may need less.
+    const double V = cut_by(evaluate(OnPlanes(x, meant(x, planes)).load(), from));
+    beyond = !(V < infinity);
+    heavier_is_easier_ = V <= at_up;
+    if (there_still() && below(V)) {
+      heavier_ = Load{x, V};
+      return true;
+    }
+  }
+  if (there_still()) polytope_[far].tried = true;
+  // Vertices lie outside of what can be held: look from the inside, too.
+  beyond_in_a_row_ = beyond ? beyond_in_a_row_ + 1 : 0;
+  if (beyond_in_a_row_ < 2) return true;
+  if (limited_ && best_V_ < infinity) {
+    const Vector<3> near = x + std::ldexp(1, -std::min(beyond_in_a_row_, 40)) * (best_up_ - x);
+    const Evaluation e = evaluate(near);
+    rows_.push_back(e.row);
+    cut(rows_.size() - 1, Polytope::none);
+    if (below(e.V)) (near.norm() > 1 ? heavier_ : lighter_) = Load{near, e.V};
+  }
+  const Vector<3> middle = best_V_ < infinity ? Vector<3>(up + best_up_) : polytope_.middle();
+  if (middle.norm() > 1e-3) visit(snapped(middle, planes), nullptr);
+  return true;
+}
+
+/// A heavier object needs less: the loads that need at most t_, a convex set, must all be heavier.
+/// Cuts off the lightest load of the polytope. False: none is lighter than the object.
+bool Search::recede() {
+  if (polytope_.empty()) return false;
+  const Vector<3> x = polytope_.nearest();
+  if (x.norm() >= 1) return false;
+  if (stay_inside(x, {0, 0, 0}, Polytope::none))
+    return polytope_.empty() || polytope_.nearest() != x;
+  const double before = best_V_;
+  if (x.norm() > 1e-3) visit(x.normalized(), nullptr);
+  if (best_V_ < before) return true;
+  const auto try_load = [&](const Vector<3>& load) {
+    const Evaluation e = evaluate(load);
+    rows_.push_back(e.row);
+    cut(rows_.size() - 1, Polytope::none);
+    if (load.norm() < 1 && below(e.V)) lighter_ = Load{load, e.V};
+    return e.V;
+  };
+  const auto done = [&] {
+    return (lighter_ && below(lighter_->V)) || polytope_.empty() || polytope_.nearest() != x;
+  };
+  // Where it lies outside of what can be held by rounding, it is approached from the inside.
+  const double V = try_load(x);
+  const Vector<3> inside = heavier_ ? heavier_->x : best_up_;
+  for (int k = 1; k <= 40 && !done() && !(V < infinity); ++k)
+    try_load(x + std::ldexp(1, -k) * (inside - x));
+  return done();
+}
+
+/// Between a lighter load and a heavier one that need at most t_ there is a posture that does.
+bool Search::cross() {
+  const Vector<3> from = lighter_->x, way = heavier_->x - from;
+  const double a = way.squaredNorm(), b = from.dot(way), c = 1 - from.squaredNorm();
+  const double before = best_V_;
+  visit((from + c / (b + std::sqrt(b * b + a * c)) * way).normalized(), nullptr);
+  return best_V_ < before;
+}
+
 void Search::run() {
   for (const Cone& cone : cones_)
     if (best_V_ == infinity && inside(cone.axis)) visit(cone.axis, nullptr);
+  // A contact right under the com carries alone, perhaps in this posture only.
+  for (const Scenario& scenario : scenarios_)
+    for (const Contact<3>& contact : scenario.grasp->contacts()) {
+      const Vector<3> arm = contact.position - scenario.grasp->object().com;
+      if (arm.cross(contact.normal).norm() <= 1e-9 * scenario.grasp->radius() &&
+          inside(contact.normal))
+        visit(contact.normal, nullptr);
+    }
+  if (limited_) {
+    const Evaluation none = evaluate(Vector<3>::Zero(), nullptr, true);
+    if (none.V < infinity) lighter_ = Load{Vector<3>::Zero(), none.V};
+  }
   for (int step = 0; step < 20 * max_holds_ && holds_ < max_holds_; ++step) {
-    const std::size_t far = polytope_.farthest(false);
-    if (far == Polytope::none) break;
-    const double enough = limited_ ? 1 : 1 / target();  // of |x|^2
-    if (polytope_[far].square <= enough) break;
-    if (stay_inside(far)) continue;
-    const Vector<3> x = polytope_[far].x;
-    const std::array<int, 3> planes = polytope_[far].planes;
-    const Vector<3> up = snapped(x, planes);
-    const Row* from = neighbour(x, planes);
-    const Evaluation e = evaluate(up, from);
-    rows_.push_back(e.row);
-    if (e.V < best_V_ && inside(up)) {
-      best_V_ = e.V;
-      best_up_ = up;
-      best_row_ = e.row;
-      best_row_ = e.row;
-      if (limited_) {
-        rebuild();
-        continue;
-      }
-    }
-    cut(rows_.size() - 1, far);
-    const auto there_still = [&] { return polytope_[far].alive && polytope_[far].x == x; };
-    if (there_still()) {
-      rows_.push_back(evaluate(up, from, true).row);
-      cut(rows_.size() - 1, far);
-    }
-    if (there_still()) {
-      // With min_normal a heavier object may need less: try what is out there.
-      if (limited_ && e.V < infinity) {
-        const Evaluation there = evaluate(x, &e.row, true);
-        rows_.push_back(there.row);
-        cut(rows_.size() - 1, far);
-        if (there_still() && there.V < relaxed_) {
-          relaxed_ = there.V;
-          rebuild();
-          continue;
-        }
-      }
-      if (there_still()) polytope_[far].tried = true;
-    }
-    // Vertices lie outside of what can be held: look for the best from the inside, too.
-    unholdable_in_a_row_ = e.V < infinity ? 0 : unholdable_in_a_row_ + 1;
-    if (unholdable_in_a_row_ < 2) continue;
-    const Vector<3> middle = best_V_ < infinity ? Vector<3>(up + best_up_) : polytope_.middle();
-    if (middle.norm() > 1e-3) visit(snapped(middle, planes), nullptr);
+    if ((1 - gap_) * best_V_ <= 1 / shares_) break;  // less holds nothing
+    const bool may_be_heavier = heavier_ && below(heavier_->V);
+    const bool may_be_lighter = lighter_ && below(lighter_->V);
+    // While neither is known it is tried in turns.
+    const bool outwards = may_be_heavier || (heavier_is_easier_ && !may_be_lighter);
+    heavier_is_easier_ = false;
+    const bool goes_on = may_be_heavier && may_be_lighter ? cross()
+                         : outwards ? recede() || !(may_be_heavier || proven())
+                                    : shrink();
+    if (!goes_on) break;
   }
 }
 
-double Search::lower_bound() {
-  const auto radius = [&] {
-    const std::size_t far = polytope_.farthest(true);
-    return far == Polytope::none ? 0 : polytope_[far].square;
-  };
+/// No load of the object's weight is left: what is left is lighter, or heavier.
+bool Search::proven() const {
+  return polytope_.empty() || polytope_[polytope_.farthest(true)].square <= 1 ||
+         polytope_.nearest().squaredNorm() > 1;
+}
+
+/// Forces add up to the weight: W^2 <= V sum share. The cuts may prove more.
+double Search::lower_bound() { return std::max(1 / shares_, bound_by_cuts()); }
+
+double Search::bound_by_cuts() {
   // What rounding of vertices may make out, and of y where it is as good as infinitely long.
   constexpr double safe = 1 - 1e-10;
-  if (!limited_) return safe / std::max(radius(), 1e-40);
-  if (radius() <= 1) return safe * t_;
+  if (!limited_) {
+    const std::size_t far = polytope_.farthest(true);
+    return safe / std::max(far == Polytope::none ? 0 : polytope_[far].square, 1e-40);
+  }
+  if (proven()) return safe * t_;
   double least = 0, most = t_;
-  for (int halving = 0; halving < 40; ++halving) {
-    t_ = (least + most) / 2;
+  const auto rebuild_for = [&](double t) {
+    t_ = t;
     polytope_ = box();
     for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
-    (radius() <= 1 ? least : most) = t_;
+  };
+  for (int halving = 0; halving < 40; ++halving) {
+    rebuild_for((least + most) / 2);
+    (proven() ? least : most) = t_;
   }
-  t_ = least;
-  polytope_ = box();
-  for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
+  rebuild_for(least);
   return safe * least;
 }
 
@@ -367,7 +521,7 @@ std::vector<Cut> Search::certificate(double t) const {
   if (polytope_.farthest(true) == Polytope::none) std::fill(needed.begin(), needed.end(), 1);
   std::vector<Cut> cuts;
   for (std::size_t id = 0; id < needed.size(); ++id) {
-    if (needed[id] == 0) continue;
+    if (needed[id] == 0 || (id < 6 && limited_ && t * shares_ > 4)) continue;
     Cut cut;
     Twist<3> y = Twist<3>::Zero();
     if (id < 6) {
@@ -449,7 +603,7 @@ std::pair<Vector<3>, Row> descend(const std::vector<Scenario>& scenarios,
   for (int step = 0; step < 60; ++step) {
     std::vector<Cone> cones = domain;
     cones.push_back({up, near});
-    Search local(scenarios, cones, step == 0 ? 1e-3 : 1e-10, 150);
+    Search local(scenarios, cones, step == 0 ? 1e-3 : 1e-10, 150, true);
     local.run();
     if (!(local.best_V() < infinity)) break;
     const double moved = std::acos(std::clamp(up.dot(local.best_up()), -1.0, 1.0));
@@ -460,15 +614,41 @@ std::pair<Vector<3>, Row> descend(const std::vector<Scenario>& scenarios,
   return {up, row};
 }
 
-/// Points spread over the sphere, on a spiral.
-std::vector<Vector<3>> spiral(int count) {
+/// Points spread over the directions at most an angle from an axis, on a spiral.
+std::vector<Vector<3>> spiral(int count, const Cone& cone) {
+  const Eigen::Matrix<double, 3, 2> across = tangents(cone.axis);
+  const double height = 1 - std::cos(cone.most);
   std::vector<Vector<3>> points;
   for (int k = 0; k < count; ++k) {
-    const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(1 - z * z);
+    const double z = 1 - height * (k + 0.5) / count, r = std::sqrt(1 - z * z);
     const double turn = k * pi * (3 - std::sqrt(5.0));
-    points.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+    points.emplace_back(across * Vector<2>(r * std::cos(turn), r * std::sin(turn)) + z * cone.axis);
   }
   return points;
+}
+
+/// Where to descend from: those of the postures spread over the domain that need less than all
+/// others nearby.
+std::vector<Vector<3>> starts(Search& search, const std::vector<Scenario>& scenarios,
+                              const std::vector<Cone>& domain, int count) {
+  const Cone all = domain.empty() ? Cone{Vector<3>::UnitZ(), pi} : domain.front();
+  std::vector<Vector<3>> ups = spiral(count, all);
+  std::vector<double> V;
+  for (Vector<3>& up : ups) {
+    up = OnPlanes(up, search.thin()).posture(up);
+    V.push_back(search.evaluate(up).V);
+  }
+  // Twice the distance between neighbours.
+  const double area = 2 * pi * (1 - std::cos(all.most)) / count;
+  const double near = std::cos(2 * std::sqrt(area));
+  std::vector<Vector<3>> lowest;
+  for (std::size_t i = 0; i < ups.size(); ++i) {
+    bool low = V[i] < infinity;
+    for (std::size_t j = 0; j < ups.size() && low; ++j)
+      low = j == i || !(ups[i].dot(ups[j]) > near) || V[i] < V[j] || (V[i] == V[j] && i < j);
+    if (low) lowest.push_back(ups[i]);
+  }
+  return lowest;
 }
 
 }  // namespace
@@ -508,11 +688,8 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
   }
 
   std::vector<std::pair<Vector<3>, Row>> found = {{search.best_up(), search.best_row()}};
-  for (const Vector<3>& start : spiral(settings.starts)) {
-    Vector<3> up = start;
-    for (const Cone& cone : domain) up = cone.nearest(up);
-    if (!(search.evaluate(up).V < infinity)) continue;
-    const auto minimum = descend(scenarios, domain, up);
+  for (const Vector<3>& start : starts(search, scenarios, domain, settings.starts)) {
+    const auto minimum = descend(scenarios, domain, start);
     if (std::none_of(found.begin(), found.end(), [&](const auto& other) {
           return (other.first - minimum.first).norm() < 1e-3;
         }))

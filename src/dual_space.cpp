@@ -217,32 +217,36 @@ bool prove_along(const Cones<3, T>& cones, const Screw<3, T>& w, const Screw<3, 
 /// maximise() in wide numbers: for where rounding of doubles leaves it open.
 bool decide(const Cones<3, Wide>& cones, const Screw<3, Wide>& w, double force_cap,
             Point<3, Wide>& point) {
-  point.y.setZero();
-  // A pull towards y = 0 that fades away: y is bounded whether w can be held or not.
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::optional<Point<3, Wide>> within;  // the first, with the shortest y, that is within delta
-  for (double rho = 1e-6; rho > 1e-27; rho *= 1e-5) {
-    ascend<3, Wide>(cones, w, Screw<3, Wide>(point.y), infinity, rho, point);
-    const Wide missing = size<3, Wide>(point.residual + Wide(rho) * point.y);
-    if (missing <= 0.4 * delta && !within) within = point;
-    if (missing > 1e-3 * delta) continue;
-    within = point;
-    break;
+  const double cap = force_cap * force_cap;
+  point.y.setZero();
+  Wide last = infinity;
+  // A pull towards y = 0 that fades away: y is bounded whether w can be held or not.
+  for (double rho = 1e-6; rho > 1e-25;) {
+    const Screw<3, Wide> before = point.y;
+    ascend<3, Wide>(cones, w, before, infinity, rho, point);
+    point.residual += Wide(rho) * point.y;
+    point.value += rho / 2 * point.y.squaredNorm();
+    const Wide missing = size<3, Wide>(point.residual);
+    if (missing <= 0.95 * delta) {
+      Point<3, Wide> finished = point;
+      if (finish(cones, w, finished)) point = finished;
+      return squared_norm(point) <= cap;
+    }
+    if (lower_bound(point) > cap) return false;
+    // What does not shrink is the distance of w from what can be balanced: y grows along it.
+    if (missing > 0.9 * last) {
+      const Screw<3, Wide> y = point.y;
+      for (const Screw<3, Wide>& way : {Screw<3, Wide>(y - before), y})
+        if (prove_along(cones, w, Screw<3, Wide>(way / length<3, Wide>(way)), force_cap, point))
+          return false;
+    }
+    rho *= std::clamp(static_cast<double>(0.5 * delta / missing), 1e-3, 0.1);
+    last = missing;
   }
-  if (within) {
-    point = *within;
-    if (finish(cones, w, point))
-      within = point;
-    else
-      point = *within;
-    return squared_norm(point) <= force_cap * force_cap;
-  }
-  // y points from what can be balanced to w.
-  const Screw<3, Wide> d = point.y / length<3, Wide>(point.y);
-  if (prove_along(cones, w, d, force_cap, point)) return false;
   // The dual rises ever more slowly, but above the cap: held only with ever greater forces.
   if (ascend<3, Wide>(cones, w, Screw<3, Wide>(point.y), force_cap, 0, point))
-    return squared_norm(point) <= force_cap * force_cap;
+    return squared_norm(point) <= cap;
   return false;
 }
 

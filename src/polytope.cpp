@@ -1,5 +1,8 @@
 #include "polytope.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace poise {
 
 Polytope::Polytope(double half) : rounding_(2e-15 * half) {
@@ -22,6 +25,8 @@ Polytope::Polytope(double half) : rounding_(2e-15 * half) {
     vertices_.push_back(v);
   }
   in_patch_.assign(8, 0);
+  for (int id = 0; id < 6; ++id)
+    planes_.push_back({(id % 2 == 0 ? 1 : -1) * Vector<3>::Unit(id / 2), half});
 }
 
 std::size_t Polytope::add(const Vertex& vertex) {
@@ -44,12 +49,16 @@ bool Polytope::cut(const Vector<3>& n, double b, int id) {
     most = n.dot(vertices_[i].x);
     hint = i;
   }
-  return hint != none && cut(n, b, id, hint);
+  if (hint == none) return false;
+  // Where rounding makes it ambiguous, a little less may do.
+  for (const double less : {0.0, 8.0, 64.0, 512.0})
+    if (cut(n, b + less * rounding_, id, hint)) return true;
+  return false;
 }
 
 bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
   const auto beyond = [&](std::size_t i) { return n.dot(vertices_[i].x) > b + rounding_; };
-  if (!beyond(hint)) return cut(n, b, id);
+  if (!beyond(hint)) return false;
   // The patch of vertices that are cut off.
   patch_.assign(1, hint);
   in_patch_[hint] = 1;
@@ -79,6 +88,9 @@ bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
     std::swap(edges_[k + 1], edges_[follower]);
   }
   if (edges_.size() < 3 || first(edges_.front()) != second(edges_.back())) return false;
+  if (planes_.size() <= static_cast<std::size_t>(id))
+    planes_.resize(static_cast<std::size_t>(id) + 1);
+  planes_[static_cast<std::size_t>(id)] = {n, b};
   // On each a new vertex, opposite to the new plane.
   fan_.clear();
   for (const Edge& edge : edges_) {
@@ -118,6 +130,37 @@ std::size_t Polytope::farthest(bool of_all) const {
     const Vertex& v = vertices_[i];
     if (v.alive && (of_all || !v.tried) && (best == none || v.square > vertices_[best].square))
       best = i;
+  }
+  return best;
+}
+
+Vector<3> Polytope::nearest() const {
+  Vector<3> best = Vector<3>::Zero();
+  double least = std::numeric_limits<double>::infinity();
+  const auto take = [&](const Vector<3>& x) {
+    if (!(x.squaredNorm() < least)) return;
+    least = x.squaredNorm();
+    best = x;
+  };
+  // On a face, if the point of its plane is in all half-spaces; else on an edge or at a vertex.
+  bool inside = true;
+  for (const Plane& plane : planes_) {
+    if (!(plane.b < 0)) continue;
+    inside = false;
+    const Vector<3> x = plane.b * plane.n;
+    if (std::all_of(planes_.begin(), planes_.end(),
+                    [&](const Plane& other) { return other.n.dot(x) <= other.b + rounding_; }))
+      take(x);
+  }
+  if (inside) return best;
+  for (const Vertex& v : vertices_) {
+    if (!v.alive) continue;
+    take(v.x);
+    for (const std::size_t i : v.next) {
+      const Vector<3> along = vertices_[i].x - v.x;
+      const double part = -v.x.dot(along);
+      if (part > 0 && part < along.squaredNorm()) take(v.x + part / along.squaredNorm() * along);
+    }
   }
   return best;
 }

@@ -34,6 +34,9 @@ class Polytope {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   /// The vertex farthest from the origin, of all or of those not yet tried; none if there is none.
   std::size_t farthest(bool of_all) const;
+  /// Its point nearest to the origin; must not be empty.
+  Vector<3> nearest() const;
+  bool empty() const { return farthest(true) == none; }
   /// Some direction between those of the far vertices.
   Vector<3> middle() const;
   Vertex& operator[](std::size_t i) { return vertices_[i]; }
@@ -47,7 +50,13 @@ class Polytope {
 
   std::size_t add(const Vertex& vertex);
 
+  struct Plane {
+    Vector<3> n = Vector<3>::Zero();
+    double b{0};
+  };
+
   double rounding_;
+  std::vector<Plane> planes_;  ///< by id; n is 0 where none was kept
   std::vector<Vertex> vertices_;
   std::vector<std::size_t> free_, patch_, fan_;
   std::vector<char> in_patch_;

@@ -52,12 +52,14 @@ double effort_at(const std::vector<Grasp<3>>& scenarios, const Vector<3>& up) {
   return worst;
 }
 
-/// The certificate in a few lines that know nothing of polytopes: the farthest of all points where
-/// three planes of the cuts meet and that satisfy all cuts. Slow: for few cuts.
-Real farthest_of_all_corners(const std::vector<Grasp<3>>& scenarios, const std::vector<Cut>& cuts,
-                             Real t) {
+struct Planes {
   std::vector<Real3> n;
-  std::vector<Real> b;
+  std::vector<Real> b;  ///< cut off: n . x > b
+};
+
+Planes planes_of(const std::vector<Grasp<3>>& scenarios, const std::vector<Cut>& cuts, Real t) {
+  Planes planes;
+  auto& [n, b] = planes;
   for (const Cut& c : cuts) {
     if (c.n) {
       n.push_back(c.n->cast<Real>());
@@ -73,6 +75,13 @@ Real farthest_of_all_corners(const std::vector<Grasp<3>>& scenarios, const std::
     n.back() /= norm;
     b.back() /= norm;
   }
+  return planes;
+}
+
+/// The certificate in a few lines that know nothing of polytopes: the farthest of all points where
+/// three planes of the cuts meet and that satisfy all cuts. Slow: for few cuts.
+Real farthest_of_all_corners(const Planes& planes) {
+  const auto& [n, b] = planes;
   Real farthest = 0;
   for (std::size_t i = 0; i < n.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -119,12 +128,20 @@ std::string fault(const std::vector<Grasp<3>>& scenarios, const BestSpatialPostu
       return words.str();
     }
   }
-  if (best.cuts.size() <= 45) {
-    const Real radius = farthest_of_all_corners(scenarios, best.cuts, bound);
-    if (radius > 1 + 1e-7L) {
-      words << "the cuts leave a point at " << static_cast<double>(radius);
-      return words.str();
-    }
+  double shares = 0, weight = 0;
+  for (const Contact<3>& contact : scenarios.front().contacts()) shares += contact.share;
+  for (const Grasp<3>& grasp : scenarios) weight = std::max(weight, grasp.object().weight);
+  if (bound <= weight * weight / shares * (1 + 1e-12)) return "";  // forces add up to the weight
+  const Planes planes = planes_of(scenarios, best.cuts, bound);
+  if (best.cuts.size() <= 45 && farthest_of_all_corners(planes) <= 1 + 1e-7L) return "";
+  // What the cuts leave may also lie outside: heavier loads that need less.
+  for (const Vector<3>& up : sphere(4000)) {
+    bool left = true;
+    for (std::size_t i = 0; i < planes.n.size() && left; ++i)
+      left = planes.n[i].dot(up.cast<Real>()) <= planes.b[i] - 1e-7L;
+    if (!left) continue;
+    words << "the cuts leave " << up.transpose();
+    return words.str();
   }
   return "";
 }
@@ -151,6 +168,19 @@ RC_GTEST_PROP(SpaceBest, IsHonestForAnyGrasp, ()) {
   if (one_in(3)) settings.tilt = Tilt{random_direction(), real(0, pi / 2)};
   const BestSpatialPosture best = best_posture(scenarios, settings);
   RC_ASSERT(fault(scenarios, best, settings, 200) == "");
+}
+
+RC_GTEST_PROP(SpaceBest, IsCertifiedWhereFingersMustPress, ()) {
+  if (!one_in(10)) return;
+  Held held = random_hand(static_cast<std::size_t>(pick(3, 8)), one_in(2));
+  for (Contact<3>& contact : held.contacts)
+    if (one_in(2)) contact.min_normal = held.object.weight * real(0.1, 1);
+  const std::vector<Grasp<3>> scenarios = {held.grasp()};
+  SpatialSettings settings;
+  settings.starts = 0;
+  const BestSpatialPosture best = best_posture(scenarios, settings);
+  RC_ASSERT(fault(scenarios, best, settings, 300) == "");
+  RC_ASSERT(best.status != Status::gap);
 }
 
 RC_GTEST_PROP(SpaceBest, OfScenariosIsTheirWorstCase, ()) {

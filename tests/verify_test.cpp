@@ -315,13 +315,14 @@ void expect_cuts_needed(const SpatialFile& file, const char* status) {
       number = -number.get<double>();
     turned += checked(file, copy.dump()).confirmed() ? 0 : 1;
   }
-  EXPECT_GE(needed, 3);
+  EXPECT_GE(needed, 2);
   EXPECT_GE(turned, 3);
 }
 
 TEST(Verify, RefusesCutsThatDoNotProve) {
-  expect_cuts_needed(on_three_fingers(""), "optimal");
-  expect_cuts_needed(on_three_fingers("tilt: {from: [0, 0, -1], max_deg: 30}\n"), "unholdable");
+  // Upright, but not so far tilted that all fingers carry the same, and upside down.
+  expect_cuts_needed(on_three_fingers("tilt: {from: [0, 0, 1], max_deg: 3}\n"), "optimal");
+  expect_cuts_needed(on_three_fingers("tilt: {from: [0, 0, -1], max_deg: 3}\n"), "unholdable");
   expect_cuts_needed(filled(), "optimal");
 }
 

@@ -21,9 +21,9 @@ struct SpatialSettings {
   int max_holds{2000};       ///< holds to spend on the certificate
   double force_cap{1e6};     ///< in weights of the heaviest scenario
   std::optional<Tilt> tilt;  ///< none: all postures
-  /// Postures, spread over the sphere, from which local minima are sought. 0: none are sought, and
-  /// `minima` holds only the best.
-  int starts{64};
+  /// Postures spread over the domain; local minima are sought from those that need less than all
+  /// their neighbours. 0: none are sought, and `minima` holds only the best.
+  int starts{256};
 };
 
 enum class Status {
@@ -60,8 +60,9 @@ struct BestSpatialPosture {
   /// The lowest of the minima that is pinched and inside the domain and the holdable set.
   const SpatialPosture* best_pinched() const { return pinched ? &minima[*pinched] : nullptr; }
   std::optional<std::size_t> pinched;
-  /// On the effort in the whole domain [N^2]: no x with |x| > 1 satisfies all cuts with
-  /// 2 (y . w(x) - phi(G^T y)) <= lower_bound. Where unholdable, above the square of the force cap.
+  /// On the effort in the whole domain [N^2]: no unit vector x satisfies all cuts with
+  /// 2 (y . w(x) - phi(G^T y)) <= lower_bound, or it is no more than the square of the greatest
+  /// weight over the sum of shares. Where unholdable, above the square of the force cap.
   double lower_bound{0};
   double relative_gap{0};  ///< (effort - lower_bound) / effort; 0 where there is no best
   std::vector<Cut> cuts;   ///< the certificate

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "verify/hull.hpp"
 #include "verify/plane.hpp"
@@ -15,10 +16,6 @@ namespace {
 
 using Vec3 = Eigen::Matrix<Real, 3, 1>;
 using Quaternion = Eigen::Quaternion<Real>;
-
-/// Planes of a tilt are moved out by this, and cuts through the origin as well: their dual points
-/// lie within the reciprocal distance, where Qhull still has digits.
-constexpr Real nearest = 1e-7L;
 
 struct Tilt {
   Vec3 from;
@@ -47,23 +44,61 @@ Cut cut_by(const Held& held, const Load& load, const Vec& y, Real t) {
   return {v.head<3>() / speed, (b + slack) / speed};
 }
 
-/// The distance from the origin beyond which nothing is left by the cuts: of the farthest vertex of
-/// what they leave. Dually, the reciprocal of the distance to the nearest facet of a hull.
-Real farthest_left(const std::vector<Cut>& cuts) {
-  std::vector<Vec> points;
-  for (const Cut& cut : cuts) points.emplace_back(cut.a / std::max(cut.b, nearest));
-  const auto facets = hull(points);
-  if (!facets) return std::numeric_limits<Real>::infinity();
-  Real distance = std::numeric_limits<Real>::infinity();
-  for (const Facet& facet : *facets) distance = std::min(distance, -facet.offset);
-  return distance > 0 ? 1 / distance : std::numeric_limits<Real>::infinity();
+/// How near to the origin, and how far from it, is what cuts leave; nothing: infinitely far, and 0.
+struct Left {
+  Real nearest{std::numeric_limits<Real>::infinity()}, farthest{0};
+};
+
+/// What cuts leave is bounded by faces: the part of each plane that all other cuts leave, a
+/// polygon.
+Left left_by(std::vector<Cut> cuts) {
+  constexpr Real outside = 4;
+  for (int k = 0; k < 3; ++k)
+    for (const Real sign : {1, -1}) cuts.push_back({sign * Vec3::Unit(k), outside});
+  Left left;
+  const bool around = std::all_of(cuts.begin(), cuts.end(), [](const Cut& c) { return c.b >= 0; });
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    const Vec3 n = cuts[i].a, middle = cuts[i].b * n;
+    if (middle.norm() > 2 * outside) continue;
+    const Vec3 e = n.unitOrthogonal(), f = n.cross(e);
+    std::vector<Vec3> polygon;
+    for (const auto& [x, y] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}})
+      polygon.push_back(middle + 4 * outside * (x * e + y * f));
+    for (std::size_t j = 0; j < cuts.size() && !polygon.empty(); ++j) {
+      if (j == i) continue;
+      const auto beyond = [&](const Vec3& x) { return cuts[j].a.dot(x) - cuts[j].b; };
+      std::vector<Vec3> rest;
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec3& from = polygon[k];
+        const Vec3& to = polygon[(k + 1) % polygon.size()];
+        const Real here = beyond(from), there = beyond(to);
+        if (here <= 0) rest.push_back(from);
+        if ((here < 0 && there > 0) || (here > 0 && there < 0))
+          rest.push_back(from + here / (here - there) * (to - from));
+      }
+      polygon = rest;
+    }
+    // The nearest point of a face: in its middle, or on its boundary.
+    bool inside = !polygon.empty();
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vec3& from = polygon[k];
+      const Vec3 way = polygon[(k + 1) % polygon.size()] - from;
+      inside = inside && n.dot(way.cross(middle - from)) >= 0;
+      const Real part = way.squaredNorm() > 0 ? -from.dot(way) / way.squaredNorm() : 0;
+      left.nearest =
+          std::min(left.nearest, (from + std::clamp(part, Real{0}, Real{1}) * way).norm());
+      left.farthest = std::max(left.farthest, from.norm());
+    }
+    if (inside) left.nearest = std::min(left.nearest, middle.norm());
+  }
+  if (around) left.nearest = 0;
+  return left;
 }
 
 /// Checks that in the whole domain the effort is at least t (the greatest of the scenarios).
 void check_cuts(Claims& claims, const Held& held, const Field& root,
                 const std::optional<Tilt>& tilt, Real t, const std::string& words) {
   std::vector<Cut> cuts;
-  bool behind = false;  // a cut that takes away the origin needs another proof
   const Field list = root.get("cuts", "a list of cuts");
   for (const Field& field : list.list()) {
     if (const auto n = field.find("n")) {
@@ -77,7 +112,7 @@ void check_cuts(Claims& claims, const Held& held, const Field& root,
           most = along * std::cos(tilt->most) + across * std::sin(tilt->most);
       }
       claims.check(*n, "n . x <= 0 in the whole domain [of n]", most / normal.norm(), 1e-9L);
-      cuts.push_back({normal.head<3>() / normal.norm(), nearest});
+      cuts.push_back({normal.head<3>() / normal.norm(), 0});
       continue;
     }
     const Vec y = read_vector(field.get("y", "a twist, or n"), 6);
@@ -88,14 +123,15 @@ void check_cuts(Claims& claims, const Held& held, const Field& root,
       scenario.fail("must be the number of a scenario");
     const Cut cut = cut_by(held, held.loads[static_cast<std::size_t>(number)], y, t);
     if (!std::isfinite(cut.b) || !cut.a.allFinite()) continue;  // y does not move the com
-    behind = behind || cut.b <= 0;
     cuts.push_back(cut);
   }
-  if (behind) {
-    claims.check(list, "cuts leave the origin: this program cannot check others", false);
-    return;
-  }
-  claims.check(list, words, farthest_left(cuts), 1 + 1e-6L);
+  // What is left is convex: it does not meet the unit sphere if it lies inside or outside.
+  const Left left = left_by(cuts);
+  // Without any cut: forces add up to the weight, and W^2 <= V sum share.
+  Real shares = 0;
+  for (const Touch& contact : held.contacts) shares += contact.share;
+  const Real alone = std::sqrt(t * shares) / held.heaviest();
+  claims.check(list, words, std::min({left.farthest, 1 / left.nearest, alone}), 1 + 1e-6L);
 }
 
 Quaternion read_quaternion(const Field& field) {
@@ -269,14 +305,14 @@ void check_best_in_space(Claims& claims, const Held& held, const Field& root) {
       claims.check(field, "is null where nothing is held", field.is_null());
     claims.check(list, "minima are empty where nothing is held", minima.empty());
     check_cuts(claims, held, root, tilt, cap * cap,
-               "cuts prove that the force cap is not enough: they leave nothing outside the unit "
-               "ball");
+               "cuts prove that the force cap is not enough: they leave nothing on the unit "
+               "sphere");
     return;
   }
   const Real bound = lower.finite();
   if (bound > 0)
     check_cuts(claims, held, root, tilt, bound,
-               "cuts prove lower_bound: they leave nothing outside the unit ball");
+               "cuts prove lower_bound: they leave nothing on the unit sphere");
   claims.check(best, "best is null only where the gap stays open", !best.is_null() || is == "gap");
   if (best.is_null()) {
     for (const Field& field : {pinched, gap})
