@@ -1,13 +1,9 @@
 // How fast Poise answers, in yardsticks: one yardstick is one Eigen fixed-size 3 x 3 LDLT
 // factor-and-solve, timed in turn with what it measures. Each row is the median over seeded random
 // grasps; ./dev bench prints them all.
-#include <benchmark/benchmark.h>
-
-#include <Eigen/Cholesky>
-#include <algorithm>
-#include <chrono>
 #include <random>
 
+#include "measure.hpp"
 #include "poise/best_posture.hpp"
 
 namespace {
@@ -59,49 +55,6 @@ Grasp<2> paper_disk() {
   return {object, contacts};
 }
 
-/// Seconds that one call takes, from as many calls as fill a few microseconds.
-template <class Call>
-double seconds(const Call& call, int calls) {
-  const auto start = std::chrono::steady_clock::now();
-  for (int k = 0; k < calls; ++k) call();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / calls;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// Times call(i) for case after case, a yardstick after each.
-template <class Call>
-void measure(benchmark::State& state, std::size_t cases, int calls, const Call& call) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<> uniform(-1, 1);
-  std::vector<double> times, yardsticks;
-  for (auto _ : state) {
-    const std::size_t i = times.size() % cases;
-    times.push_back(seconds([&] { call(i); }, calls));
-    state.SetIterationTime(times.back());
-    const Eigen::Matrix<double, 3, 6> A = Eigen::Matrix<double, 3, 6>::NullaryExpr(
-        [&](Eigen::Index, Eigen::Index) { return uniform(random); });
-    Eigen::Matrix3d M = A * A.transpose();
-    Eigen::Vector3d b = A.col(0);
-    yardsticks.push_back(seconds(
-        [&] {
-          benchmark::DoNotOptimize(M.data());
-          benchmark::ClobberMemory();
-          const Eigen::Vector3d x = M.ldlt().solve(b);
-          benchmark::DoNotOptimize(x.data());
-          benchmark::ClobberMemory();
-        },
-        100));
-  }
-  state.counters["median_ns"] = 1e9 * median(times);
-  state.counters["yardstick_ns"] = 1e9 * median(yardsticks);
-  state.counters["yardsticks"] = median(times) / median(yardsticks);
-}
-
 std::vector<Case> random_cases(std::size_t contacts) {
   std::mt19937 random(2026);
   std::vector<Case> cases;
@@ -113,14 +66,14 @@ std::vector<Case> random_cases(std::size_t contacts) {
 void hold_cold(benchmark::State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));
   const std::vector<Case> cases = random_cases(n);
-  measure(state, cases.size(), n <= 64 ? 50 : 5,
-          [&](std::size_t i) { benchmark::DoNotOptimize(hold(cases[i].grasp, cases[i].up)); });
+  measure<3>(state, cases.size(), n <= 64 ? 50 : 5,
+             [&](std::size_t i) { benchmark::DoNotOptimize(hold(cases[i].grasp, cases[i].up)); });
 }
 
 void hold_warm(benchmark::State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));
   const std::vector<Case> cases = random_cases(n);
-  measure(state, cases.size(), n <= 64 ? 50 : 5, [&](std::size_t i) {
+  measure<3>(state, cases.size(), n <= 64 ? 50 : 5, [&](std::size_t i) {
     const Case& c = cases[i];
     benchmark::DoNotOptimize(hold(c.grasp, c.load, c.neighbour));
   });
@@ -129,13 +82,13 @@ void hold_warm(benchmark::State& state) {
 void curve(benchmark::State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));
   const std::vector<Case> cases = random_cases(n);
-  measure(state, cases.size(), n <= 8 ? 10 : 1,
-          [&](std::size_t i) { benchmark::DoNotOptimize(posture_curve(cases[i].grasp)); });
+  measure<3>(state, cases.size(), n <= 8 ? 10 : 1,
+             [&](std::size_t i) { benchmark::DoNotOptimize(posture_curve(cases[i].grasp)); });
 }
 
 void curve_of_the_papers_disk(benchmark::State& state) {
   const Grasp<2> disk = paper_disk();
-  measure(state, 1, 20, [&](std::size_t) { benchmark::DoNotOptimize(posture_curve(disk)); });
+  measure<3>(state, 1, 20, [&](std::size_t) { benchmark::DoNotOptimize(posture_curve(disk)); });
 }
 
 BENCHMARK(hold_cold)

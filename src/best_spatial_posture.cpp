@@ -638,9 +638,9 @@ std::vector<Vector<3>> starts(Search& search, const std::vector<Scenario>& scena
     up = OnPlanes(up, search.thin()).posture(up);
     V.push_back(search.evaluate(up).V);
   }
-  // Twice the distance between neighbours.
+  // The ring of neighbours.
   const double area = 2 * pi * (1 - std::cos(all.most)) / count;
-  const double near = std::cos(2 * std::sqrt(area));
+  const double near = std::cos(1.5 * std::sqrt(area));
   std::vector<Vector<3>> lowest;
   for (std::size_t i = 0; i < ups.size(); ++i) {
     bool low = V[i] < infinity;

@@ -51,6 +51,7 @@ std::string within_page(const std::string& grasp) {
 std::string view(const std::string& grasp, const std::string& page, const std::string& mesh) {
   std::string text = empty_page();
   for (const auto& [id, json] : {std::pair("grasp", &grasp), {"mesh", &mesh}}) {
+    if (*json == "null") continue;
     const std::string empty = place(id, "null");
     const std::size_t at = text.find(empty);
     if (at == std::string::npos)

@@ -23,7 +23,7 @@ struct SpatialSettings {
   std::optional<Tilt> tilt;  ///< none: all postures
   /// Postures spread over the domain; local minima are sought from those that need less than all
   /// their neighbours. 0: none are sought, and `minima` holds only the best.
-  int starts{256};
+  int starts{512};
 };
 
 enum class Status {

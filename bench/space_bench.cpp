@@ -1,0 +1,140 @@
+// How fast Poise answers in space, in yardsticks: one yardstick is one Eigen fixed-size 6 x 6 LDLT
+// factor-and-solve. Each row is the median over seeded random grasps, p95 their 95th percentile.
+#include <random>
+
+#include "measure.hpp"
+#include "poise/best_spatial_posture.hpp"
+
+namespace {
+
+using namespace poise;
+
+struct Case {
+  Grasp<3> grasp;
+  Vector<3> up;
+  Wrench<3> load;
+  Twist<3> neighbour;  ///< the dual one degree away
+};
+
+Vector<3> direction(std::mt19937& random) {
+  std::normal_distribution<> normal;
+  return Vector<3>(normal(random), normal(random), normal(random)).normalized();
+}
+
+/// Contacts on an ellipsoid, their normals up to 17 degrees off, friction 0.3 to 1, torsion 0.05 to
+/// 0.2 m where they are soft.
+Grasp<3> random_grasp(std::mt19937& random, std::size_t contacts, bool soft) {
+  std::uniform_real_distribution<> uniform(0, 1);
+  std::vector<Contact<3>> all(contacts);
+  for (Contact<3>& contact : all) {
+    const Vector<3> at = direction(random);
+    contact.position = at.cwiseProduct(Vector<3>(1, 1.5, 0.7));
+    contact.normal = -(at + 0.3 * direction(random)).normalized();
+    contact.friction = 0.3 + 0.7 * uniform(random);
+    if (soft) contact.torsion = 0.05 + 0.15 * uniform(random);
+  }
+  return {Object<3>{.weight = 1, .com = 0.2 * direction(random)}, all};
+}
+
+/// In a posture where 30 weights of force norm hold it.
+std::vector<Case> random_cases(std::size_t contacts, bool soft) {
+  std::mt19937 random(2026);
+  std::vector<Case> cases;
+  const std::size_t count = contacts <= 64 ? 1000 : 20;
+  while (cases.size() < count) {
+    const Grasp<3> grasp = random_grasp(random, contacts, soft);
+    const Vector<3> up = direction(random);
+    const Vector<3> across = up.cross(direction(random)).normalized();
+    const Vector<3> beside = (up + std::tan(3.14159265358979 / 180) * across).normalized();
+    const Hold<3> here = hold(grasp, up), there = hold(grasp, beside);
+    if (here.holdable && there.holdable && here.effort < 900)
+      cases.push_back({grasp, up, grasp.load(up), there.dual});
+  }
+  return cases;
+}
+
+int calls(std::size_t contacts) { return contacts <= 64 ? 20 : 2; }
+
+void space_hold_cold(benchmark::State& state) {
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const std::vector<Case> cases = random_cases(n, state.range(1) == 1);
+  measure<6>(state, cases.size(), calls(n),
+             [&](std::size_t i) { benchmark::DoNotOptimize(hold(cases[i].grasp, cases[i].up)); });
+}
+
+void space_hold_warm(benchmark::State& state) {
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const std::vector<Case> cases = random_cases(n, state.range(1) == 1);
+  measure<6>(state, cases.size(), calls(n), [&](std::size_t i) {
+    const Case& c = cases[i];
+    benchmark::DoNotOptimize(hold(c.grasp, c.load, c.neighbour));
+  });
+}
+
+std::vector<Grasp<3>> random_grasps(std::size_t contacts, bool soft) {
+  std::mt19937 random(2026);
+  std::vector<Grasp<3>> grasps;
+  while (grasps.size() < 1000) grasps.push_back(random_grasp(random, contacts, soft));
+  return grasps;
+}
+
+/// The certified optimum alone, to a gap of 10^-digits. Outside: the part of the time that is not
+/// spent on holds, if a hold takes as long as one of the best posture from its neighbour's y.
+void space_best(benchmark::State& state) {
+  const std::vector<Grasp<3>> grasps =
+      random_grasps(static_cast<std::size_t>(state.range(0)), state.range(1) == 1);
+  SpatialSettings settings;
+  settings.gap = std::pow(10.0, -static_cast<double>(state.range(2)));
+  settings.starts = 0;
+  std::vector<double> holds, outside;
+  for (const Grasp<3>& grasp : grasps) {
+    BestSpatialPosture best;
+    const double whole = seconds([&] { best = best_posture(grasp, settings); }, 1);
+    holds.push_back(best.holds);
+    if (!best.best) continue;
+    const Wrench<3> load = grasp.load(best.best->up);
+    const Twist<3> y = hold(grasp, (best.best->up + Vector<3>(0.03, 0.02, 0.01)).normalized()).dual;
+    const double one = seconds([&] { benchmark::DoNotOptimize(hold(grasp, load, y)); }, 10);
+    outside.push_back(1 - best.holds * one / whole);
+  }
+  measure<6>(state, grasps.size(), 1,
+             [&](std::size_t i) { benchmark::DoNotOptimize(best_posture(grasps[i], settings)); });
+  state.counters["holds"] = median(holds);
+  state.counters["holds_p95"] = quantile(holds, 0.95);
+  state.counters["outside"] = median(outside);
+}
+
+/// With the list of local minima.
+void space_best_and_minima(benchmark::State& state) {
+  const std::vector<Grasp<3>> grasps =
+      random_grasps(static_cast<std::size_t>(state.range(0)), state.range(1) == 1);
+  measure<6>(state, grasps.size(), 1,
+             [&](std::size_t i) { benchmark::DoNotOptimize(best_posture(grasps[i])); });
+}
+
+void holds(benchmark::internal::Benchmark* row) {
+  row->UseManualTime()->ArgNames({"contacts", "soft"});
+}
+BENCHMARK(space_hold_cold)
+    ->Apply(holds)
+    ->Iterations(1000)
+    ->ArgsProduct({{3, 4, 8, 16, 64}, {0, 1}});
+BENCHMARK(space_hold_cold)->Apply(holds)->Iterations(40)->ArgsProduct({{256, 4096}, {0, 1}});
+BENCHMARK(space_hold_warm)
+    ->Apply(holds)
+    ->Iterations(1000)
+    ->ArgsProduct({{3, 4, 8, 16, 64}, {0, 1}});
+BENCHMARK(space_hold_warm)->Apply(holds)->Iterations(40)->ArgsProduct({{256, 4096}, {0, 1}});
+BENCHMARK(space_best)
+    ->UseManualTime()
+    ->ArgNames({"contacts", "soft", "digits"})
+    ->Iterations(1000)
+    ->ArgsProduct({{3, 4, 5, 6, 7, 8}, {0, 1}, {6}})
+    ->ArgsProduct({{4}, {0}, {3, 4, 5, 7, 8, 9}});
+BENCHMARK(space_best_and_minima)
+    ->UseManualTime()
+    ->ArgNames({"contacts", "soft"})
+    ->Iterations(100)
+    ->ArgsProduct({{4, 8}, {0, 1}});
+
+}  // namespace
