@@ -144,6 +144,25 @@ TEST(MendedMesh, TakesPartsThatDoNotOverlapAsOneBody) {
             Strings{"has 2 parts that do not overlap: they are taken as one rigid body"});
 }
 
+TEST(MendedMesh, NoticesThatASurfaceCrossesItself) {
+  // A tube along a figure of eight, which meets itself in the middle.
+  const Mesh eight = ring_mesh(80, 24, [](int i, int j) {
+    const double t = turn(i, 80) + 0.01, a = turn(j, 24);
+    const Vector3d centre(std::sin(t), std::sin(t) * std::cos(t), 0);
+    const Vector3d across = Vector3d(-std::cos(2 * t), std::cos(t), 0).normalized();
+    return Vector3d(centre + 0.2 * (std::cos(a) * across + std::sin(a) * Vector3d::UnitZ()));
+  });
+  const Strings words = mended(eight).repairs;
+  ASSERT_GE(words.size(), 1U);
+  EXPECT_EQ(words.back().find("crosses itself: beneath "), 0U) << words.back();
+  // Walls that are thin, and edges that are sharp, are none of it.
+  for (const Mesh& mesh :
+       {torus_mesh(1, 0.99, 60, 40), box_mesh({1, 1, 1e-6}), sphere_mesh(1, 60, 60),
+        turned_mesh({{0, 0}, {1, 0.01}, {0, 0.02}}, 100),
+        turned_mesh({{0, 0}, {1, 0}, {1, 1}, {0.999999, 1}, {0.999999, 1e-6}, {0, 1e-6}}, 100)})
+    EXPECT_EQ(mended(mesh).repairs, Strings());
+}
+
 TEST(MendedMesh, SaysWhyThereIsNoVolume) {
   EXPECT_EQ(mended({}).defect, "has no triangles");
   EXPECT_EQ(mended({{{0, 0, 0}, {1, 0, 0}}, {{0, 1, 1}}}).defect, "has no triangles");

@@ -320,6 +320,43 @@ void turn_parts(Oriented& oriented, std::vector<std::string>& repairs) {
                       " parts that do not overlap: they are taken as one rigid body");
 }
 
+/// How often a closed surface goes round a point: the solid angles of its triangles (van Oosterom
+/// and Strackee 1983) over that of the whole sphere.
+double winding(const Mesh& mesh, const Vector3d& point) {
+  double angle = 0;
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vector3d a = corner(mesh, triangle, 0) - point, b = corner(mesh, triangle, 1) - point,
+                   c = corner(mesh, triangle, 2) - point;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    angle += 2 * std::atan2(a.dot(b.cross(c)),
+                            la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return angle / (4 * 3.14159265358979323846);
+}
+
+/// Whether the surface crosses itself, as seen just beneath some of its triangles, where it should
+/// go round once: in words, or nothing.
+std::string crossing(const Mesh& mesh) {
+  const std::size_t count = mesh.triangles.size();
+  const std::size_t most = std::clamp<std::size_t>(2'000'000 / count, 16, 64);
+  const std::size_t step = std::max<std::size_t>(count / most, 1);
+  std::size_t looked = 0, deeper = 0;
+  for (std::size_t t = step / 2; t < count; t += step) {
+    const Vector3d &a = corner(mesh, mesh.triangles[t], 0), &b = corner(mesh, mesh.triangles[t], 1),
+                   &c = corner(mesh, mesh.triangles[t], 2);
+    const Vector3d normal = (b - a).cross(c - a);
+    const double round = (b - a).norm() + (c - b).norm() + (a - c).norm();
+    const double radius = normal.norm() / round;  // of the circle in it
+    if (!(radius > 1e-9 * round)) continue;
+    ++looked;
+    const double times = winding(mesh, (a + b + c) / 3 - 1e-7 * radius * normal.normalized());
+    if (std::abs(times - 1) > 0.5) ++deeper;
+  }
+  if (deeper == 0) return "";
+  return "crosses itself: beneath " + std::to_string(deeper) + " of " + std::to_string(looked) +
+         " triangles it is not within itself once, and what it encloses twice counts twice";
+}
+
 }  // namespace
 
 AlignedBox3d bounds(const Mesh& mesh) {
@@ -375,6 +412,7 @@ MendedMesh mended(const Mesh& mesh) {
       if (!result.defect.empty()) continue;
       turn_parts(result, repairs);
       if (!result.defect.empty()) return {given, {}, result.defect};
+      if (const std::string words = crossing(result.mesh); !words.empty()) repairs.push_back(words);
       return {std::move(result.mesh), std::move(repairs), ""};
     }
   return {given, {}, defect};

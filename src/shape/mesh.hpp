@@ -36,7 +36,8 @@ struct MendedMesh {
 /// Makes vertices one that are equal, or within up to 1e-5 of the size of the mesh where that
 /// closes it; leaves out triangles that stand twice; turns triangles so that neighbours agree, and
 /// each part so that its volume is positive. Parts must not overlap: their bounding boxes do not.
-/// That a surface crosses itself is not noticed: what it encloses twice counts twice.
+/// What a surface that crosses itself encloses twice counts twice; that is said where a look
+/// beneath up to 64 of its triangles shows it.
 MendedMesh mended(const Mesh& mesh);
 
 }  // namespace poise
