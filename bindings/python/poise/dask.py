@@ -63,7 +63,8 @@ def acronym_partitions(
     found: List[AcronymPartition] = []
     first = 0
     root = os.path.abspath(mesh_root)
-    for name in map(os.path.abspath, files):
+    for file in files:
+        name = os.path.abspath(file)
         size = len(_core.Acronym(name, root))
         for begin in range(0, size, grasps):
             end = min(begin + grasps, size)
