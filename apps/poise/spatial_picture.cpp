@@ -372,7 +372,8 @@ std::string spatial_picture(const SpatialFile& file, const Grasp<3>& grasp,
   const Vector<2> com = view.at(grasp.object().com);
   canvas.line({{com.x(), top}, {com.x(), page_height - bottom}}, Colour(line_colour), 1.2, {2, 4});
   draw_contacts(false);
-  if (picture.mesh.triangles.empty())  // nothing shows what the contacts are contacts of
+  // Nothing else shows what the contacts are contacts of.
+  if (picture.mesh.triangles.empty() && contacts.size() <= 16)
     for (const Contact<3>& contact : contacts)
       canvas.line({com, view.at(contact.position)}, Colour(line_colour), 0.8, {5, 3});
 
