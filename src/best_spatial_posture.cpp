@@ -627,27 +627,36 @@ std::vector<Vector<3>> spiral(int count, const Cone& cone) {
   return points;
 }
 
-/// Where to descend from: those of the postures spread over the domain that need less than all
-/// others nearby.
-std::vector<Vector<3>> starts(Search& search, const std::vector<Scenario>& scenarios,
-                              const std::vector<Cone>& domain, int count) {
+/// Where to descend from: where steps down the slope lead from postures spread over the domain, and
+/// no two that are nearly the same.
+std::vector<Vector<3>> starts(Search& search, const std::vector<Cone>& domain, int count) {
   const Cone all = domain.empty() ? Cone{Vector<3>::UnitZ(), pi} : domain.front();
-  std::vector<Vector<3>> ups = spiral(count, all);
-  std::vector<double> V;
-  for (Vector<3>& up : ups) {
-    up = OnPlanes(up, search.thin()).posture(up);
-    V.push_back(search.evaluate(up).V);
+  std::vector<std::pair<double, Vector<3>>> low;
+  for (const Vector<3>& start : spiral(count, all)) {
+    Vector<3> up = OnPlanes(start, search.thin()).posture(start);
+    Evaluation here = search.evaluate(up);
+    if (!(here.V < infinity)) continue;
+    double reach = 0.1;
+    for (int step = 0; step < 30 && reach > 3e-3; ++step) {
+      const Vector<3> slope = here.row.n - up.dot(here.row.n) * up;
+      if (!(slope.norm() > 1e-9)) break;
+      Vector<3> next = (up - reach * slope.normalized()).normalized();
+      if (!domain.empty()) next = all.nearest(next);
+      next = OnPlanes(next, search.thin()).posture(next);
+      const Evaluation there = search.evaluate(next, &here.row);
+      reach *= there.V < here.V ? 1.3 : 0.5;
+      if (!(there.V < here.V)) continue;
+      up = next;
+      here = there;
+    }
+    low.emplace_back(here.V, up);
   }
-  // The ring of neighbours.
-  const double area = 2 * pi * (1 - std::cos(all.most)) / count;
-  const double near = std::cos(1.5 * std::sqrt(area));
+  std::sort(low.begin(), low.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Vector<3>> lowest;
-  for (std::size_t i = 0; i < ups.size(); ++i) {
-    bool low = V[i] < infinity;
-    for (std::size_t j = 0; j < ups.size() && low; ++j)
-      low = j == i || !(ups[i].dot(ups[j]) > near) || V[i] < V[j] || (V[i] == V[j] && i < j);
-    if (low) lowest.push_back(ups[i]);
-  }
+  for (const auto& [V, up] : low)
+    if (std::none_of(lowest.begin(), lowest.end(),
+                     [&, at = up](const Vector<3>& other) { return (other - at).norm() < 0.03; }))
+      lowest.push_back(up);
   return lowest;
 }
 
@@ -688,7 +697,7 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
   }
 
   std::vector<std::pair<Vector<3>, Row>> found = {{search.best_up(), search.best_row()}};
-  for (const Vector<3>& start : starts(search, scenarios, domain, settings.starts)) {
+  for (const Vector<3>& start : starts(search, domain, settings.starts)) {
     const auto minimum = descend(scenarios, domain, start);
     if (std::none_of(found.begin(), found.end(), [&](const auto& other) {
           return (other.first - minimum.first).norm() < 1e-3;

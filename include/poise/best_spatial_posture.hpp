@@ -21,9 +21,9 @@ struct SpatialSettings {
   int max_holds{2000};       ///< holds to spend on the certificate
   double force_cap{1e6};     ///< in weights of the heaviest scenario
   std::optional<Tilt> tilt;  ///< none: all postures
-  /// Postures spread over the domain; local minima are sought from those that need less than all
-  /// their neighbours. 0: none are sought, and `minima` holds only the best.
-  int starts{512};
+  /// Postures, spread over the domain, from which local minima are sought. 0: none are sought, and
+  /// `minima` holds only the best.
+  int starts{64};
 };
 
 enum class Status {
