@@ -25,6 +25,8 @@ _poise() {
       flags='-h --help --json --domain --force-cap --gap --max-holds --tilt-from --tilt-max
         --orientation'
       ;;
+    capacity) flags='-h --help --json --angle --up --safety --force-cap' ;;
+    draw) flags='-h --help -o --out --angle --up --force-cap' ;;
     curve) flags='-h --help --json --domain --force-cap --plot' ;;
     contacts) flags='-h --help -o --out' ;;
     import) flags='-h --help --mesh-root --grasp -o --out' ;;
@@ -36,18 +38,18 @@ _poise() {
   case $before in
     --domain) mapfile -t COMPREPLY < <(compgen -W 'all pinched' -- "$word") ;;
     --plot) _poise_files svg ;;
-    -o) _poise_files 'html|yaml|yml|json' ;;
+    -o) _poise_files 'html|svg|png|yaml|yml|json' ;;
     --out | --mesh-root)
       compopt -o filenames 2> /dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$word")
       ;;
-    --angle | --up | --force-cap | --gap | --max-holds | --tilt-from | --tilt-max | --orientation) ;;
+    --angle | --up | --safety | --force-cap | --gap | --max-holds | --tilt-from | --tilt-max | --orientation) ;;
     --grasp | --phi | --mu1 | --mu2 | --weight) ;;  # numbers
     *)
       if [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$flags" -- "$word")
       elif [[ -z $command ]]; then
-        mapfile -t COMPREPLY < <(compgen -W 'check contacts hold best curve verify view import paper' -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W 'check contacts hold best curve capacity draw verify view import paper' -- "$word")
       elif [[ $command == import && $before == import ]]; then
         mapfile -t COMPREPLY < <(compgen -W acronym -- "$word")
       elif [[ $command == import ]]; then

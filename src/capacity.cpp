@@ -308,6 +308,14 @@ std::vector<Deciding> deciding(const Grasp<Dim>& grasp, const Vector<Dim>& up,
 }
 
 template <int Dim>
+Capacity<Dim> capacity(const Grasp<Dim>& grasp, const Vector<Dim>& up, double safety,
+                       const HoldSettings& settings) {
+  if (!(safety >= 1) || !std::isfinite(safety)) throw InvalidGrasp("safety", "must be at least 1");
+  return {weight_range(grasp, up, settings), least_friction(grasp, up, settings),
+          hold<Dim>(with_friction(grasp, 1 / safety), up, settings)};
+}
+
+template <int Dim>
 Grasp<Dim> with_weight(const Grasp<Dim>& grasp, double weight) {
   return changed(grasp, [&](Object<Dim>& object, auto&) { object.weight = weight; });
 }
@@ -340,6 +348,8 @@ template std::vector<Deciding> deciding<2>(const Grasp<2>&, const Vector<2>&, co
                                            const HoldSettings&);
 template std::vector<Deciding> deciding<3>(const Grasp<3>&, const Vector<3>&, const Twist<3>&,
                                            const HoldSettings&);
+template Capacity<2> capacity<2>(const Grasp<2>&, const Vector<2>&, double, const HoldSettings&);
+template Capacity<3> capacity<3>(const Grasp<3>&, const Vector<3>&, double, const HoldSettings&);
 template Grasp<2> with_weight<2>(const Grasp<2>&, double);
 template Grasp<3> with_weight<3>(const Grasp<3>&, double);
 template Grasp<2> with_friction<2>(const Grasp<2>&, double);

@@ -104,7 +104,9 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
   } usages[] = {
       {"", "A subcommand is required"},
       {"hodl 4c.yaml",
-       "unknown command 'hodl', must be check, hold, best, curve, verify, view or paper"},
+       "unknown command 'hodl', must be check, contacts, hold, best, curve, capacity, draw, "
+       "verify, "
+       "view, import or paper"},
       {"best", "FILE is required"},
       {"paper", "--out is required"},
       {"paper --out ''", "--out: '' is not a directory"},
@@ -145,6 +147,10 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
       {"best 4c.yaml --force-cap -1", "--force-cap: '-1'"},
       {"best 4c.yaml --force-cap 1e10", "--force-cap: '1e10'"},
       {"best 4c.yaml --force-cap inf", "--force-cap: 'inf'"},
+      {"capacity 4c.yaml --safety 0.9", "--safety: '0.9' is not a factor, must be at least 1"},
+      {"capacity 4c.yaml --up 0,1 --angle 3", "--angle"},
+      {"draw 4c.yaml", "--out is required"},
+      {"draw 4c.yaml -o x.pdf", "--out: 'x.pdf' must end with .svg or .png"},
       {"curve 4c.yaml --plot", "--plot"},
       {"curve 4c.yaml --plot ''", "--plot: '' is not a file"},
       {"best none.yaml", "none.yaml: cannot be opened: No such file or directory"},
@@ -297,6 +303,33 @@ TEST_F(Plot, DrawsWhatCannotBeHeldToo) {
   EXPECT_NE(contents(folder() / "no.svg").find("cannot be held in any posture"), std::string::npos);
 }
 
+bool is_picture(const std::string& file) {
+  return file.starts_with("\x89PNG") || file.find("</svg>") != file.npos;
+}
+
+TEST_F(Plot, DrawsEveryExampleAsItHangs) {
+  for (const auto& entry : fs::directory_iterator(POISE_EXAMPLES)) {
+    if (entry.path().extension() != ".yaml") continue;
+    const std::string file = "'" + entry.path().string() + "'";
+    for (const std::string picture : {"hanging.svg", "hanging.png"}) {
+      const Outcome run = poise("draw " + file + " -o " + picture);
+      EXPECT_LE(run.status, 1) << file << run.err;
+      EXPECT_EQ(run.out, "Drawn in " + picture + "\n") << file;
+      EXPECT_TRUE(is_picture(contents(folder() / picture))) << file;
+      EXPECT_LT(fs::file_size(folder() / picture), 600000U) << file;
+      fs::remove(folder() / picture);
+    }
+  }
+  // The posture may be given, and need not hold; the file's name stays its own.
+  EXPECT_EQ(poise("draw " + example("l-part") + " --angle 20 -o a.svg").status, 0);
+  EXPECT_NE(contents(folder() / "a.svg").find("at 20.00°: grip force"), std::string::npos);
+  EXPECT_EQ(poise("draw " + example("bottle") + " --up 1,0,0 -o a.svg").status, 0);
+  EXPECT_EQ(poise("draw " + example("box-hard-jaws") + " --up 0,0,1 -o a.png").status, 1);
+  write("old.png", "old");
+  EXPECT_EQ(poise("draw " + example("bottle") + " -o none/old.png").err,
+            "poise: none/old.png: cannot be written: No such file or directory\n");
+}
+
 TEST_F(Plot, TakesNamesAsTheyAre) {
   write("name.yaml", fig_4c + "name: \"it's `touch was_run` {/Symbol a} <b>&amp; @x $y \\\\ é\"\n");
   EXPECT_EQ(poise("curve name.yaml --plot \"it's a name.svg\"").status, 0);
@@ -376,6 +409,69 @@ TEST_F(Plot, PaperTakesAnyDisk) {
     const Outcome run = poise("paper --out x " + odd);
     EXPECT_EQ(run.status, 0) << odd;
     EXPECT_EQ(run.err, "") << odd;
+  }
+}
+
+/// A block of 10 N between two fingers that press with up to 25 N.
+std::string vice(const std::string& rest = "") {
+  return "{\"poise\": 1, \"dimension\": 2, " + rest +
+         "\"object\": {\"weight\": 10, \"com\": [0, 0]},\n"
+         " \"contacts\": [\n"
+         "  {\"position\": [-1, 0], \"normal\": [1, 0], \"friction\": 0.4, \"max_normal\": 25},\n"
+         "  {\"position\": [1, 0], \"normal\": [-1, 0], \"friction\": 0.4, \"max_normal\": 25}]}\n";
+}
+
+TEST_F(CommandLine, CapacityIsWhatTwoFingersCarryByFriction) {
+  write("vice.json", vice("\"angle_deg\": 0, "));
+  const Json document = json("capacity vice.json");
+  ASSERT_EQ(document["capacities"].size(), 2U);
+  const Json& now = document["capacities"][0];
+  EXPECT_EQ(now["posture"], "now");
+  EXPECT_NEAR(now["weight"]["greatest"], 20, 1e-5);
+  EXPECT_NEAR(now["weight"]["greatest_bound"], 20, 1e-8);
+  EXPECT_EQ(now["weight"]["any"], false);
+  EXPECT_NEAR(now["friction"]["factor"], 0.5, 1e-6);
+  EXPECT_NEAR(now["command"]["grip_force"], 1.5 * 10 / (2 * 0.4), 1e-9);
+  EXPECT_EQ(document["capacities"][1]["posture"], "best");
+  EXPECT_NEAR(json("capacity vice.json --safety 1")["capacities"][0]["command"]["grip_force"], 12.5,
+              1e-9);
+  // Upside down; and with less friction than it needs.
+  EXPECT_NEAR(json("capacity vice.json --angle 180")["capacities"][0]["weight"]["greatest"], 20,
+              1e-5);
+  write("slippery.json", vice("\"safety\": 4, \"angle_deg\": 0, "));
+  const Json slips = json("capacity slippery.json --up 0,3", 1);
+  EXPECT_NEAR(slips["capacities"][0]["friction"]["factor"], 2, 1e-6);
+  EXPECT_EQ(slips["capacities"][0]["command"]["holdable"], false);
+
+  const Outcome run = poise("capacity vice.json --angle 0");
+  EXPECT_NE(run.out.find("20.00 N (2.039 kg), 2.000 times the given"), std::string::npos)
+      << run.out;
+  EXPECT_NE(run.out.find("0.2000 instead of 0.4000: a safety factor of 2.000"), std::string::npos);
+  EXPECT_NE(run.out.find("18.75 N, with a safety factor of 1.500"), std::string::npos);
+}
+
+TEST_F(CommandLine, VerifyConfirmsCapacityAndRefutesMore) {
+  write("vice.json", vice("\"angle_deg\": 0, "));
+  write("answer.json", poise("capacity vice.json --json").out);
+  EXPECT_EQ(poise("verify vice.json answer.json").status, 0);
+  const auto refuted = [&](const auto& change) {
+    Json answer = Json::parse(contents(folder() / "answer.json"));
+    change(answer["capacities"][0]);
+    write("changed.json", answer.dump());
+    return poise("verify vice.json changed.json").status == 1;
+  };
+  EXPECT_TRUE(refuted([](Json& at) { at["weight"]["greatest"] = 20.1; }));
+  EXPECT_TRUE(refuted([](Json& at) { at["weight"]["greatest_bound"] = 19.9; }));
+  EXPECT_TRUE(refuted([](Json& at) { at["weight"]["greatest_dual"] = {1, 0, 0}; }));
+  EXPECT_TRUE(refuted([](Json& at) { at["friction"]["factor"] = 0.49; }));
+  EXPECT_TRUE(refuted([](Json& at) { at["friction"]["bound"] = 0.51; }));
+  EXPECT_TRUE(refuted([](Json& at) { at["command"]["contacts"][0]["normal_force"] = 12.5; }));
+  EXPECT_FALSE(refuted([](Json&) {}));
+
+  for (const char* const name : {"l-part", "hexagon-three-fingers", "ito-fig6", "bottle",
+                                 "box-hard-jaws", "box-soft-jaws", "cylinder-three-fingers"}) {
+    write("answer.json", poise("capacity " + example(name) + " --json").out);
+    EXPECT_EQ(poise("verify " + example(name) + " answer.json").status, 0) << name;
   }
 }
 

@@ -109,6 +109,14 @@ double read_force_cap(const std::string& text) {
   return *cap;
 }
 
+double read_safety(const std::string& text) {
+  const auto safety = parsed(text);
+  if (!safety || !(*safety >= 1 && *safety <= 1e6))
+    throw UsageError("--safety: " + quoted(text) +
+                     " is not a factor, must be at least 1 and at most 1e6");
+  return *safety;
+}
+
 /// A number of `paper`, at least (or, where `above`, above) 0 and at most `most`.
 double read_number(const char* flag, const std::string& text, bool above, double most) {
   const auto value = parsed(text);
@@ -146,7 +154,8 @@ struct Parser {
   CLI::App app{
       "How to turn a held object so that its fingers press least, and how hard they press."};
   Arguments arguments{};
-  std::optional<std::string> angle{}, up{}, domain{}, force_cap{}, phi{}, mu1{}, mu2{}, weight{};
+  std::optional<std::string> angle{}, up{}, domain{}, force_cap{}, safety{}, phi{}, mu1{}, mu2{},
+      weight{};
   std::optional<std::string> gap{}, max_holds{}, tilt_from{}, tilt_max{}, orientation{};
   std::optional<std::string> page{}, out{}, grasp{};
   std::string kind{};
@@ -170,16 +179,31 @@ struct Parser {
     CLI::App* const best = add("best", "The posture in which the fingers press least");
     CLI::App* const curve = add("curve", "The least effort over all postures, with its optima");
 
-    auto* const angle_option =
-        hold->add_option("--angle", angle, "Posture: the object turned counter-clockwise")
-            ->type_name("DEG");
-    hold->add_option("--up", up, "Posture: the direction against gravity")
-        ->type_name("X,Y[,Z]")
-        ->excludes(angle_option);
+    CLI::App* const capacity =
+        add("capacity", "The greatest weight, the least friction, the force to command");
+
+    CLI::App* const draw =
+        app.add_subcommand("draw", "A picture of the object as it hangs")->group("Commands");
+    draw->add_option("FILE", arguments.file, "The grasp file")->type_name("")->required();
+    draw->add_option("-o,--out", out, "The picture to write")->type_name("SVG|PNG")->required();
+
+    for (CLI::App* const command : {hold, capacity, draw}) {
+      auto* const angle_option =
+          command->add_option("--angle", angle, "Posture: the object turned counter-clockwise")
+              ->type_name("DEG");
+      command->add_option("--up", up, "Posture: the direction against gravity")
+          ->type_name("X,Y[,Z]")
+          ->excludes(angle_option);
+    }
+    capacity
+        ->add_option("--safety", safety,
+                     "Divide the friction by this, on top of the file's safety, to find the force "
+                     "to command (1.5)")
+        ->type_name("S");
     for (CLI::App* const command : {best, curve})
       command->add_option("--domain", domain, "Postures to choose from: all, or those not cradled")
           ->type_name("all|pinched");
-    for (CLI::App* const command : {hold, best, curve})
+    for (CLI::App* const command : {hold, best, curve, capacity, draw})
       command
           ->add_option("--force-cap", force_cap, "Greatest force norm of a hold, in weights (1e6)")
           ->type_name("N");
@@ -198,7 +222,7 @@ struct Parser {
         ->type_name("SVG");
     add("verify", "Check a result of these commands again, by other means")
         ->add_option("RESULT", arguments.result,
-                     "What check, hold, best or curve printed by --json")
+                     "What check, hold, best, curve or capacity printed by --json")
         ->type_name("")
         ->required();
     add_contacts();
@@ -280,6 +304,8 @@ struct Parser {
                         : name == "hold"     ? Command::hold
                         : name == "best"     ? Command::best
                         : name == "curve"    ? Command::curve
+                        : name == "capacity" ? Command::capacity
+                        : name == "draw"     ? Command::draw
                         : name == "verify"   ? Command::verify
                         : name == "view"     ? Command::view
                         : name == "import"   ? Command::import
@@ -295,6 +321,9 @@ struct Parser {
     if (arguments.plot && arguments.plot->empty()) throw UsageError("--plot: '' is not a file");
     if (out && out->empty()) throw UsageError("--out: '' is not a file");
     arguments.out = out.value_or("");
+    if (arguments.command == Command::draw && !arguments.out.ends_with(".svg") &&
+        !arguments.out.ends_with(".png"))
+      throw UsageError("--out: '" + shown(arguments.out) + "' must end with .svg or .png");
     if (arguments.command == Command::import && kind != "acronym")
       throw UsageError("import: " + quoted(std::as_const(kind)) +
                        " is no known data set, must be acronym");
@@ -309,6 +338,7 @@ struct Parser {
     if (mu2) paper.mu2 = read_number("--mu2", *mu2, false, 1e6);
     if (weight) paper.weight = read_number("--weight", *weight, true, 1e6);
     if (force_cap) arguments.force_cap = read_force_cap(*force_cap);
+    if (safety) arguments.safety = read_safety(*safety);
   }
 
   /// What to say about words that nothing was waiting for.
@@ -325,9 +355,9 @@ struct Parser {
       throw UsageError("unknown option " + shown(word) + ", " + full_name(command) + " knows " +
                        options_of(command));
     if (before)
-      throw UsageError(
-          "unknown command " + quoted(word) +
-          ", must be check, contacts, hold, best, curve, verify, view, import or paper");
+      throw UsageError("unknown command " + quoted(word) +
+                       ", must be check, contacts, hold, best, curve, capacity, draw, verify, " +
+                       "view, import or paper");
     throw UsageError("unexpected " + quoted(word) + ", " + full_name(command) + " takes " +
                      (command.get_name() == "paper"    ? "no FILE"
                       : command.get_name() == "verify" ? "one FILE and one RESULT"

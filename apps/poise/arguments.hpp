@@ -12,7 +12,19 @@
 
 namespace poise {
 
-enum class Command { check, contacts, hold, best, curve, verify, view, import, paper };
+enum class Command {
+  check,
+  contacts,
+  hold,
+  best,
+  curve,
+  capacity,
+  draw,
+  verify,
+  view,
+  import,
+  paper
+};
 
 /// What `paper` draws beside the paper's own figures; what is not given is that of Fig. 6.
 struct PaperArguments {
@@ -31,6 +43,7 @@ struct Arguments {
   std::vector<double> up{};           ///< as given: 2 or 3 numbers of any length but 0, or none
   std::optional<Domain> domain{};
   double force_cap{1e6};  ///< [weights]
+  double safety{1.5};     ///< of `capacity`: on the friction, on top of the file's; at least 1
   // Space.
   std::optional<double> gap{};
   std::optional<int> max_holds{};
@@ -39,9 +52,9 @@ struct Arguments {
   std::optional<Eigen::Quaterniond> orientation{};  ///< object to world
   std::optional<std::string> plot{};                ///< the SVG file to draw
   std::string page{};                               ///< the file to write the page to
-  std::string out{};                                ///< the grasp file to write; "": print it
-  std::string mesh_root{};                          ///< of `import`: the folder that has the meshes
-  std::size_t grasp{0};                             ///< of `import`: which one of the file
+  std::string out{};        ///< the grasp file to write; "": print it; or the SVG or PNG of `draw`
+  std::string mesh_root{};  ///< of `import`: the folder that has the meshes
+  std::size_t grasp{0};     ///< of `import`: which one of the file
   PaperArguments paper{};
 };
 

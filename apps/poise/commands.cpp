@@ -15,6 +15,7 @@
 #include "picture.hpp"
 #include "plot.hpp"
 #include "report.hpp"
+#include "spatial_picture.hpp"
 #include "verify.hpp"
 #include "view.hpp"
 
@@ -71,6 +72,105 @@ Answer answer_curve(const Arguments& arguments, const PlanarFile& file, const Gr
   return answer;
 }
 
+/// A posture that was asked for, and which one it is.
+template <int Dim>
+struct Chosen {
+  std::string which;  ///< given, now, best or upright
+  Vector<Dim> up;
+};
+
+/// The one given; else that of the file and the best one.
+std::vector<Chosen<2>> postures(const Arguments& arguments, const PlanarFile& file,
+                                const Grasp<2>& grasp) {
+  if (!arguments.up.empty())
+    return {{"given", Vector<2>(arguments.up[0], arguments.up[1]).stableNormalized()}};
+  if (arguments.angle_deg) return {{"given", up_at(*arguments.angle_deg * degree)}};
+  std::vector<Chosen<2>> chosen;
+  if (file.angle) chosen.push_back({"now", up_at(*file.angle)});
+  const BestPosture best =
+      best_posture(grasp, {.domain = file.domain, .force_cap = arguments.force_cap});
+  if (best.holdable()) chosen.push_back({"best", up_at(best.best().optimum.angle)});
+  if (chosen.empty()) chosen.push_back({"upright", up_at(0)});
+  return chosen;
+}
+
+std::vector<Chosen<3>> postures(const Arguments& arguments, const SpatialFile& file,
+                                const std::vector<Grasp<3>>& grasps) {
+  if (!arguments.up.empty()) return {{"given", Vector<3>(arguments.up.data()).stableNormalized()}};
+  std::vector<Chosen<3>> chosen;
+  if (file.up) chosen.push_back({"now", *file.up});
+  SpatialSettings settings;
+  settings.force_cap = arguments.force_cap;
+  settings.tilt = file.tilt;
+  settings.starts = 0;
+  const BestSpatialPosture best = best_posture(grasps, settings);
+  if (best.best) chosen.push_back({"best", best.best->up});
+  if (chosen.empty()) chosen.push_back({"upright", Vector<3>::UnitZ()});
+  return chosen;
+}
+
+template <int Dim>
+Answer answer_capacity(const Arguments& arguments, const CommonFile<Dim>& file,
+                       const std::vector<Grasp<Dim>>& grasps,
+                       const std::vector<Chosen<Dim>>& chosen) {
+  const HoldSettings settings{.force_cap = arguments.force_cap};
+  std::vector<CapacityAt<Dim>> answers;
+  bool holds = false;  // in some posture, in all scenarios
+  for (const Chosen<Dim>& posture : chosen) {
+    bool all = true;
+    for (std::size_t k = 0; k < grasps.size(); ++k) {
+      answers.push_back({posture.which, posture.up, k,
+                         capacity(grasps[k], posture.up, arguments.safety, settings)});
+      all = all && answers.back().capacity.friction.factor <= 1;
+    }
+    holds = holds || all;
+  }
+  const CapacityOptions options{arguments.force_cap, arguments.safety, arguments.angle_deg,
+                                arguments.up};
+  return {arguments.json ? capacity_document(grasps, answers, options)
+                         : capacity_report(file, grasps, answers, options, style_of_output()),
+          holds};
+}
+
+/// What a picture shows, in a line.
+std::string caption(const std::string& which, const std::string& posture,
+                    const std::optional<double>& grip_force, Manner manner) {
+  const std::string words = which == "now"    ? "as it is held now, " + posture
+                            : which == "best" ? "best posture, " + posture
+                                              : posture;
+  return words + ": " +
+         (grip_force ? "grip force " + newtons(*grip_force) + ", " + to_string(manner)
+                     : "cannot be held");
+}
+
+Answer answer_draw(const Arguments& arguments, const PlanarFile& file, const Grasp<2>& grasp) {
+  const Chosen<2> chosen = postures(arguments, file, grasp).front();
+  const Hold<2> there = hold(grasp, chosen.up, {.force_cap = arguments.force_cap});
+  std::optional<double> grip;
+  if (there.holdable) grip = grip_force(grasp, there);
+  const Manner how = there.holdable ? manner(grasp, chosen.up, there) : Manner::resting;
+  const std::string words =
+      caption(chosen.which, "at " + degrees_text(angle_of(chosen.up)), grip, how);
+  draw(planar_picture(file, grasp, chosen.up, there, words, arguments.out.ends_with(".svg")),
+       arguments.out);
+  return {"Drawn in " + arguments.out + "\n", there.holdable};
+}
+
+Answer answer_draw(const Arguments& arguments, const SpatialFile& file,
+                   const std::vector<Grasp<3>>& grasps) {
+  const Chosen<3> chosen = postures(arguments, file, grasps).front();
+  const SpatialPosture posture = hold_all(grasps, chosen.up, {.force_cap = arguments.force_cap});
+  const Grasp<3>& grasp = grasps[posture.scenario];
+  std::optional<double> grip;
+  if (posture.hold.holdable) grip = grip_force(grasp, posture.hold);
+  std::string words =
+      caption(chosen.which, "with " + vector_text(chosen.up, 3) + " up", grip, posture.manner);
+  if (grasps.size() > 1) words += ", in scenario " + std::to_string(posture.scenario);
+  write_file(spatial_picture(file, grasp, posture, words, arguments.out.ends_with(".svg")),
+             arguments.out);
+  return {"Drawn in " + arguments.out + "\n", posture.hold.holdable};
+}
+
 Answer answer_in(const PlanarFile& file, const Arguments& arguments) {
   for (const auto& [given, flag] : {std::pair(arguments.gap.has_value(), "--gap"),
                                     {arguments.max_holds.has_value(), "--max-holds"},
@@ -94,6 +194,10 @@ Answer answer_in(const PlanarFile& file, const Arguments& arguments) {
       return answer_hold(arguments, file, grasp);
     case Command::best:
       return answer_best(arguments, file, grasp, settings);
+    case Command::capacity:
+      return answer_capacity<2>(arguments, file, {grasp}, postures(arguments, file, grasp));
+    case Command::draw:
+      return answer_draw(arguments, file, grasp);
     case Command::view:
       return {view(file, arguments.page)};
     default:
@@ -161,6 +265,9 @@ Answer answer_in(const SpatialFile& file, const Arguments& arguments) {
   if (arguments.command == Command::check)
     return {arguments.json ? check_document(file, grasps)
                            : check_report(file, grasps, style_of_output())};
+  if (arguments.command == Command::draw) return answer_draw(arguments, file, grasps);
+  if (arguments.command == Command::capacity)
+    return answer_capacity<3>(arguments, file, grasps, postures(arguments, file, grasps));
   return arguments.command == Command::hold ? answer_hold(arguments, file, grasps)
                                             : answer_best(arguments, file, grasps);
 }

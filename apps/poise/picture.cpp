@@ -176,4 +176,23 @@ std::string picture(const PlanarFile& file, const Grasp<2>& grasp, const BestPos
   return script.text();
 }
 
+std::string planar_picture(const PlanarFile& file, const Grasp<2>& grasp, const Vector<2>& up,
+                           const Hold<2>& hold, const std::string& words, bool svg) {
+  constexpr double width = 700, height = 640, top = 0.86, bottom = 0.08;
+  Script script;
+  if (svg)
+    begin_picture(script, width, height);
+  else
+    begin_png(script, width, height);
+  script.line("set lmargin at screen 0\nset rmargin at screen 1");
+  script.line("set tmargin at screen {}\nset bmargin at screen {}", top, bottom);
+  script.line("set label {} at screen 0.5,0.96 center font 'sans-serif,{}'",
+              quoted(file.name.empty() ? "held object" : file.name, 50), svg ? 20 : 15);
+  script.line("unset border\nunset tics\nset title {}", quoted(words, 80));
+  const Scene scene{.grasp = grasp, .theta = angle_of(up), .hold = hold.holdable ? &hold : nullptr};
+  draw_object(script, file.shape, scene, nullptr, width / ((top - bottom) * height));
+  script.line("unset multiplot");
+  return script.text();
+}
+
 }  // namespace poise

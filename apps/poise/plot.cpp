@@ -57,7 +57,8 @@ class Draft {
     char end[16] = {};
     const off_t size = lseek(file_, 0, SEEK_END), part = sizeof end;
     return size > part && pread(file_, end, sizeof end, size - part) == part &&
-           std::string_view(end, sizeof end).find("</svg>") != std::string_view::npos;
+           (std::string_view(end, sizeof end).find("</svg>") != std::string_view::npos ||
+            std::string_view(end, sizeof end).find("IEND") != std::string_view::npos);
   }
 
   void publish() {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "files/grasp_file.hpp"
+#include "files/result.hpp"
 #include "poise/best_posture.hpp"
 #include "poise/best_spatial_posture.hpp"
 #include "table.hpp"
@@ -32,5 +33,11 @@ struct Present {
 std::string best_report(const SpatialFile& file, const std::vector<Grasp<3>>& grasps,
                         const BestSpatialPosture& best, const SpatialSettings& settings,
                         const Present& present, const Style& style);
+
+/// What a gripper can hold: postures one after the other, in each all scenarios.
+template <int Dim>
+std::string capacity_report(const CommonFile<Dim>& file, const std::vector<Grasp<Dim>>& grasps,
+                            const std::vector<CapacityAt<Dim>>& answers,
+                            const CapacityOptions& options, const Style& style);
 
 }  // namespace poise

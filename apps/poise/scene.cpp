@@ -38,8 +38,30 @@ void label(Script& script, const std::string& text, const Vector<2>& at, const c
               at.y(), where, line, colour);
 }
 
+/// A line from a point, and how far.
+using Arrows = std::vector<std::vector<Vector<2>>>;
+
+/// How far from a finger its label hides no arrow. A label is about so large beside an object of
+/// half the size 1.
+double free_distance(const Arrows& arrows, const Vector<2>& place, const Vector<2>& outward,
+                     double size) {
+  const Vector<2> half = Vector<2>(0.25, 0.14) * size;
+  for (double distance = 0.2 * size; distance < size; distance += 0.1 * size) {
+    Vector<2> middle = place + distance * outward;
+    if (std::abs(outward.x()) > 0.5) middle.x() += std::copysign(half.x(), outward.x());
+    const Eigen::AlignedBox2d label(middle - half, middle + half);
+    constexpr int steps = 50;
+    bool free = true;
+    for (const auto& arrow : arrows)
+      for (int k = 0; k <= steps; ++k)
+        free = free && !label.contains(Vector<2>(arrow[0] + arrow[1] * k / steps));
+    if (free) return distance;
+  }
+  return 0.2 * size;
+}
+
 /// A finger's name and how hard it presses, outside the object.
-void label_fingers(Script& script, const Scene& scene, double distance) {
+void label_fingers(Script& script, const Scene& scene, const Arrows& arrows, double size) {
   const auto& contacts = scene.grasp.contacts();
   const auto fingers = scene.hold ? finger_forces(scene.grasp, *scene.hold)
                                   : std::vector<FingerForce<2>>(scene.grasp.fingers().size());
@@ -54,7 +76,8 @@ void label_fingers(Script& script, const Scene& scene, double distance) {
       ++count;
     }
     outward.normalize();
-    const Vector<2> at = place / count + distance * outward;
+    const Vector<2> at =
+        place / count + free_distance(arrows, place / count, outward, size) * outward;
     const char* const where = outward.x() > 0.5 ? "left" : outward.x() < -0.5 ? "right" : "center";
     const double middle = outward.y() > 0.5 ? 0.9 : outward.y() < -0.5 ? -0.5 : 0.1;
     label(script, quoted(scene.grasp.fingers()[k], 10), at, where, middle + 0.5, "black");
@@ -153,7 +176,8 @@ void draw_object(Script& script, const std::optional<Shape>& shape, const Scene&
   arrows("weight", {{Vector<2>::Zero(), gravity}}, weight_colour, "weight");
   script.layer("$com with points pt 7 ps 0.8 lc rgb '{}' notitle", weight_colour);
   label(script, quoted(newtons(weight), 20), gravity, "center", -0.8, weight_colour);
-  label_fingers(script, scene, 0.2 * size);
+  free.insert(free.end(), limited.begin(), limited.end());
+  label_fingers(script, scene, free, size);
   script.plot();
   script.line("unset label");
 }

@@ -63,5 +63,7 @@ std::string quoted(const std::string& text, std::size_t longest);
 
 /// An SVG picture of several plots, in pixels; `enhanced` text may have exponents.
 void begin_picture(Script& script, double width, double height, bool enhanced = false);
+/// The same as a PNG, with two pixels for one.
+void begin_png(Script& script, double width, double height);
 
 }  // namespace poise

@@ -30,6 +30,11 @@ picture() {
 "$poise" curve "$examples/l-part.yaml" --plot held-part.svg > /dev/null
 echo held-part.svg
 
+# ---- A bottle as it hangs: README --------------------------------------------------------------
+
+"$poise" draw "$examples/bottle.yaml" --up=-1,0,-0.026 -o bottle.svg > /dev/null
+echo bottle.svg
+
 # ---- The planar cone and its projection --------------------------------------------------------
 
 picture projection 940 490 << 'END'

@@ -38,8 +38,8 @@ WeightRange<Dim> weight_range(const Grasp<Dim>& grasp, const Vector<Dim>& up,
 
 /// What a contact has to do with an end, in every hold at that end.
 struct Deciding {
-  /// How many newtons more could be held for each newton more of max_normal; 0 where the contact
-  /// does not have to press as hard as it may.
+  /// How many newtons more can be held at most for each newton more of max_normal; 0 where the
+  /// contact does not have to press as hard as it may.
   double per_newton{0};
   bool slipping{false};  ///< uses all its friction, if it presses at all
 };
@@ -67,6 +67,18 @@ struct LeastFriction {
 template <int Dim>
 LeastFriction<Dim> least_friction(const Grasp<Dim>& grasp, const Vector<Dim>& up,
                                   const HoldSettings& settings = {});
+
+/// What people ask about a gripper in one posture.
+template <int Dim>
+struct Capacity {
+  WeightRange<Dim> weights;
+  LeastFriction<Dim> friction;
+  Hold<Dim> safe;  ///< of the grasp's weight, with all frictions and torsions divided by the safety
+};
+/// @param safety  at least 1, on top of the one that the grasp was made with
+template <int Dim>
+Capacity<Dim> capacity(const Grasp<Dim>& grasp, const Vector<Dim>& up, double safety,
+                       const HoldSettings& settings = {});
 
 /// The same contacts on an object of another weight [N], and with all frictions and torsions
 /// multiplied by a factor >= 0.

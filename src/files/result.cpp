@@ -339,4 +339,90 @@ std::string best_document(const std::vector<Grasp<3>>& grasps, const BestSpatial
   return json_text(result);
 }
 
+namespace {
+
+template <int Dim>
+Json hold_at(const Grasp<Dim>& grasp, const Vector<Dim>& up, const Hold<Dim>& hold) {
+  Json posture = Json::object(), result = Json::object();
+  if constexpr (Dim == 2) posture["angle_deg"] = degrees(angle_of(up));
+  add_hold<Dim>(result, grasp, up, posture, hold);
+  return result;
+}
+
+/// A number that may be infinite: then null.
+Json finite(double value) { return std::isfinite(value) ? Json(number(value)) : Json(); }
+
+template <int Dim>
+Json weights(const Grasp<Dim>& grasp, const Vector<Dim>& up, const WeightRange<Dim>& range,
+             const HoldSettings& settings) {
+  const WeightEnd<Dim>&least = range.least, &greatest = range.greatest;
+  const bool any = std::isinf(greatest.weight);
+  Json result = {{"given", grasp.object().weight},
+                 {"holdable", range.holdable},
+                 {"any", range.holdable && any},
+                 {"greatest", range.holdable ? finite(greatest.weight) : Json()},
+                 {"greatest_bound", finite(greatest.bound)},
+                 {"greatest_dual", list(greatest.dual)},
+                 {"least", range.holdable ? Json(least.weight) : Json()},
+                 {"least_bound", least.bound},
+                 {"least_dual", list(least.dual)}};
+  if (!range.holdable) return result;
+  result["greatest_hold"] =
+      hold_at(any ? without_limits(grasp) : with_weight(grasp, greatest.weight), up, greatest.hold);
+  if (least.weight > 0)
+    result["least_hold"] = hold_at(with_weight(grasp, least.weight), up, least.hold);
+  result["contacts"] = Json::array();
+  if (any) return result;
+  const std::vector<Deciding> decide = deciding(grasp, up, greatest.dual, settings);
+  for (std::size_t i = 0; i < decide.size(); ++i)
+    result["contacts"].push_back({{"finger", grasp.contacts()[i].finger},
+                                  {"per_newton", decide[i].per_newton},
+                                  {"slipping", decide[i].slipping}});
+  return result;
+}
+
+template <int Dim>
+Json friction(const Grasp<Dim>& grasp, const Vector<Dim>& up, const LeastFriction<Dim>& least) {
+  Json result = {{"factor", finite(least.factor)},
+                 {"bound", least.bound},
+                 {"dual", list(least.dual)},
+                 {"hold", Json()}};
+  if (std::isfinite(least.factor))
+    result["hold"] = hold_at(with_friction(grasp, least.factor), up, least.hold);
+  return result;
+}
+
+}  // namespace
+
+template <int Dim>
+std::string capacity_document(const std::vector<Grasp<Dim>>& grasps,
+                              const std::vector<CapacityAt<Dim>>& answers,
+                              const CapacityOptions& given) {
+  Json options = {{"force_cap", given.force_cap}, {"safety", given.safety}};
+  if (given.angle_deg) options["angle_deg"] = number(*given.angle_deg);
+  if (!given.up.empty()) options["up"] = list(given.up);
+  Json result = document("capacity", std::move(options));
+  result["capacities"] = Json::array();
+  for (const CapacityAt<Dim>& answer : answers) {
+    const Grasp<Dim>& grasp = grasps[answer.scenario];
+    Json entry = {{"posture", answer.posture}, {"up", list(answer.up)}};
+    if constexpr (Dim == 2) entry["angle_deg"] = degrees(angle_of(answer.up));
+    if (grasps.size() > 1) entry["scenario"] = answer.scenario;
+    entry["weight"] =
+        weights(grasp, answer.up, answer.capacity.weights, {.force_cap = given.force_cap});
+    entry["friction"] = friction(grasp, answer.up, answer.capacity.friction);
+    entry["command"] =
+        hold_at(with_friction(grasp, 1 / given.safety), answer.up, answer.capacity.safe);
+    result["capacities"].push_back(std::move(entry));
+  }
+  return json_text(result);
+}
+
+template std::string capacity_document<2>(const std::vector<Grasp<2>>&,
+                                          const std::vector<CapacityAt<2>>&,
+                                          const CapacityOptions&);
+template std::string capacity_document<3>(const std::vector<Grasp<3>>&,
+                                          const std::vector<CapacityAt<3>>&,
+                                          const CapacityOptions&);
+
 }  // namespace poise

@@ -8,6 +8,7 @@
 #include "files/grasp_file.hpp"
 #include "poise/best_posture.hpp"
 #include "poise/best_spatial_posture.hpp"
+#include "poise/capacity.hpp"
 
 namespace poise {
 
@@ -40,5 +41,25 @@ std::string hold_document(const std::vector<Grasp<3>>& grasps, const SpatialPost
                           const HoldSettings& settings, const std::optional<Vector<3>>& up = {});
 std::string best_document(const std::vector<Grasp<3>>& grasps, const BestSpatialPosture& best,
                           const SpatialSettings& settings, const Eigen::Quaterniond& orientation);
+
+/// What a gripper can hold in a posture, in one scenario.
+template <int Dim>
+struct CapacityAt {
+  std::string posture{};  ///< which one: given, now, best or upright
+  Vector<Dim> up;
+  std::size_t scenario{0};
+  Capacity<Dim> capacity;
+};
+
+/// The options are those given, as they were given.
+struct CapacityOptions {
+  double force_cap{1e6}, safety{1.5};
+  std::optional<double> angle_deg{};
+  std::vector<double> up{};
+};
+template <int Dim>
+std::string capacity_document(const std::vector<Grasp<Dim>>& grasps,
+                              const std::vector<CapacityAt<Dim>>& answers,
+                              const CapacityOptions& options);
 
 }  // namespace poise

@@ -144,4 +144,34 @@ Held held(const Grasp<2>& grasp) {
   return held;
 }
 
+Held with_friction(Held held, Real factor) {
+  for (Touch& contact : held.contacts) {
+    contact.friction *= factor;
+    contact.torsion *= factor;  // G has their ratio
+  }
+  return held;
+}
+
+WeightBound weight_bound(const Held& held, const Load& load, const Vec& up, const Vec& y,
+                         Real cap) {
+  WeightBound bound;
+  Real squared = 0;
+  for (const Touch& contact : held.contacts) {
+    const Vec z = contact.G.transpose() * y;
+    // What a force with normal force 1 can do against y at most.
+    const Real power = z[0] + contact.friction * z.tail(z.size() - 1).norm();
+    if (std::isfinite(contact.hi)) {
+      bound.fixed += std::max(contact.lo * power, contact.hi * power);
+      continue;
+    }
+    bound.fixed += contact.lo * power;
+    Touch whole = contact;
+    whole.lo = 0;
+    squared += contact.share * project(whole, z).squaredNorm();
+  }
+  const Load newton{1, load.com, load.radius};
+  bound.gain = y.dot(wrench(newton, up)) - delta * worth(newton, y) - cap * std::sqrt(squared);
+  return bound;
+}
+
 }  // namespace poise::verify

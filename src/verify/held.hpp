@@ -44,6 +44,9 @@ struct Held {
   Real heaviest() const;
 };
 
+/// The same contacts with all frictions and torsions multiplied by a factor.
+Held with_friction(Held held, Real factor);
+
 Held held(const Grasp<2>& grasp);
 /// One for each scenario: the same contacts.
 Held held(const std::vector<Grasp<3>>& scenarios);
@@ -70,5 +73,12 @@ Real bound(const Held& held, const Vec& w, const Vec& y);
 Real worth(const Load& load, const Vec& y);
 /// The same bound for forces that balance w within delta.
 Real proven(const Held& held, const Load& load, const Vec& w, const Vec& y);
+
+/// weight * gain <= fixed for every weight that is held in a posture with a force norm of at most
+/// `cap` weights, balanced within delta.
+struct WeightBound {
+  Real gain{0}, fixed{0};
+};
+WeightBound weight_bound(const Held& held, const Load& load, const Vec& up, const Vec& y, Real cap);
 
 }  // namespace poise::verify

@@ -218,7 +218,8 @@ Vec read_vector(const Field& field, Eigen::Index size) {
   return result;
 }
 
-HoldClaim check_hold(Claims& claims, const Held& held, const Field& hold, Real force_cap) {
+HoldClaim check_hold(Claims& claims, const Held& held, const Field& hold, Real force_cap,
+                     bool least) {
   HoldClaim claim;
   claim.holdable = hold.get("holdable", "true or false").truth();
   check_posture(claims, held, hold, claim);
@@ -246,6 +247,7 @@ HoldClaim check_hold(Claims& claims, const Held& held, const Field& hold, Real f
   const Real norm = std::sqrt(claim.effort) / W;
   claims.check(hold, "force_norm is within the force cap",
                std::sqrt(claim.effort) / (force_cap * held.heaviest()), 1 + 1e-9L);
+  if (!least) return claim;
   // y loses as many digits as it is longer than the weight.
   const Real lost = std::max(Real{1}, norm / 1000), small = 1e-15L * W * W + slack;
   claims.check(lower, "lower_bound follows from dual [of effort]",

@@ -25,7 +25,10 @@ enum class Fork { no, yes, unclear };
 Vec read_vector(const Field& field, Eigen::Index size);
 
 /// Checks all that a hold claims. @param force_cap [weights]
-HoldClaim check_hold(Claims& claims, const Held& held, const Field& hold, Real force_cap);
+/// @param least  whether it claims to be the least, too: rounding leaves that open where the weight
+///               is the greatest, or the friction the least
+HoldClaim check_hold(Claims& claims, const Held& held, const Field& hold, Real force_cap,
+                     bool least = true);
 
 Fork fork(const Held& held, const Load& load, const Vec& up);
 

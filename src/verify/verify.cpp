@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "verify/capacity.hpp"
 #include "verify/plane.hpp"
 #include "verify/space.hpp"
 
@@ -77,8 +78,8 @@ Claims verify(const GraspFile& file, const Document& result) {
   const Field root(result);
   const Field version = root.get("poise_result", "1, the version of results");
   if (version.finite() != 1) version.fail("must be 1, the version that this program knows");
-  const Field command = root.get("command", "check, hold, best or curve");
-  const std::string& name = command.word({"check", "hold", "best", "curve"});
+  const Field command = root.get("command", "check, hold, best, curve or capacity");
+  const std::string& name = command.word({"check", "hold", "best", "curve", "capacity"});
   const Field options = root.get("options", "a mapping");
   Claims claims;
   const Held grasp = std::visit([](const auto& each) { return held_by(each); }, file);
@@ -86,6 +87,8 @@ Claims verify(const GraspFile& file, const Document& result) {
     check_reading(claims, grasp, root);
   } else if (name == "hold") {
     check_hold(claims, grasp, root, options.get("force_cap", "a number of weights").finite());
+  } else if (name == "capacity") {
+    check_capacity(claims, grasp, root);
   } else if (name == "curve") {
     if (grasp.dim == 3) command.fail("is curve, which is for the plane: the grasp is in space");
     check_curve(claims, grasp, root);

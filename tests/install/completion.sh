@@ -27,8 +27,8 @@ expect() {  # offered words, then the command line
   failures=$((failures + 1))
 }
 
-expect best,check,contacts,curve,hold,import,paper,verify,view poise ''
-expect check,contacts,curve poise c
+expect best,capacity,check,contacts,curve,draw,hold,import,paper,verify,view poise ''
+expect capacity,check,contacts,curve poise c
 expect --help,--version poise --
 expect disk.json,disk.yaml,parts,'two words.yml' poise best ''
 expect disk.json,disk.yaml poise hold --angle 20 d
@@ -48,7 +48,7 @@ expect '' poise nonsense ''
 expect --angle poise hold disk.yaml --a
 
 # Every flag that the program knows, and no other.
-for command in '' check contacts hold best curve verify view import paper; do
+for command in '' check contacts hold best curve capacity draw verify view import paper; do
   known=$("$program" ${command:+"$command"} --help |
     sed -nE 's/^  (-[a-z],)?(--[a-z0-9-]+).*/\2/p' | sort | paste -sd ,)
   expect "$known" poise ${command:+"$command"} --
