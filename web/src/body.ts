@@ -168,11 +168,17 @@ export class BodyView {
     if (size < 1e-3 * radius) return;
     const turn = frame(unit(force));
     const tip = Math.min(0.13 * radius, 0.8 * size);
-    const thick = 0.017 * radius;
+    const thick = 0.017 * radius * Math.sqrt(this.crowd());
     const tint = colour(name);
     this.canvas.solid(this.shaft, { turn, stretch: [thick, thick, size - 0.9 * tip], at: from }, tint);
     const at = add(from, times(1 - tip / size, force));
     this.canvas.solid(this.head, { turn, stretch: [0.4 * tip, 0.4 * tip, tip], at }, tint);
+  }
+
+  /** Of a pad that many contacts stand for, each is shown smaller. */
+  private crowd(): number {
+    const { contacts } = this.model.answers.check;
+    return 1 / Math.sqrt(contacts.length / new Set(contacts.map(({ finger }) => finger)).size);
   }
 
   private drawForces(): void {
@@ -187,8 +193,8 @@ export class BodyView {
       const force = hold.holdable ? hold.contacts[i]! : undefined;
       const limited = force && force.limit !== 'none' && force.state !== 'unloaded';
       if (force) this.arrow(at, times(perNewton, turned(this.model.orientation, force.force)), limited ? '--limit' : '--force');
-      const thick = (contact.torsion ? 0.045 : 0.03) * radius;
-      const wide = (contact.torsion ? 0.085 : 0.055) * radius;
+      const thick = (contact.torsion ? 0.045 : 0.03) * radius * this.crowd();
+      const wide = (contact.torsion ? 0.085 : 0.055) * radius * this.crowd();
       const pad = { turn: frame(n), stretch: [wide, wide, thick] as Vec, at: minus(at, times(thick, n)) };
       canvas.solid(this.shaft, pad, colour(limited ? '--limit' : '--outline'));
     });
@@ -203,7 +209,7 @@ export class BodyView {
     const { radius } = this.model.frame;
     check.contacts.forEach((contact, i) => {
       const slipping = hold.holdable && hold.contacts[i]!.state === 'slipping';
-      const high = (0.34 * radius) / Math.hypot(1, contact.friction);
+      const high = (0.34 * radius * this.crowd()) / Math.hypot(1, contact.friction);
       const wide = high * contact.friction;
       if (wide <= 0) return;
       const turn = frame(turned(this.model.orientation, contact.normal));

@@ -51,7 +51,9 @@ function drawWords(at: string, hold: AnyHold, reasons: string[], problem: string
     : `At ${at} it cannot be held`;
   find('verdict').classList.toggle('not-held', !hold.holdable);
   find('why').replaceChildren(...paragraphs(reasons));
-  find('problem').textContent = notice.text || problem || warnings.map((line) => line.replace(/^\S+: /, '')).join(' ');
+  const doubts = warnings.slice(0, 3).map((line) => line.replace(/^\S+: /, ''));
+  if (warnings.length > 3) doubts.push(`And ${warnings.length - 3} more warnings.`);
+  find('problem').textContent = notice.text || problem || doubts.join(' ');
   find('problem').classList.toggle('bad', notice.text ? notice.bad : problem !== '');
 }
 
@@ -194,7 +196,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
     find('proof').textContent = this.sphere.said();
     drawSpatialMinima(find('minima'), this.model);
     const at = `up (${up.map((part) => fixed(part, 3)).join(', ')})`;
-    drawWords(at, answers.hold, whyInSpace(this.model, this.rest.at(answers.hold)), problem, answers.check.warnings);
+    drawWords(at, answers.hold, whyInSpace(this.model, this.rest.at(answers.hold)), problem, this.model.warnings);
     document.body.dataset.settled = outdated ? '' : '1';
   }
 }

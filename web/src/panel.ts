@@ -42,7 +42,8 @@ class NumberField {
   show(always = false): void {
     if (!always && this.element === document.activeElement && this.element.type === 'number') return;
     const value = this.read();
-    this.element.value = value === undefined ? '' : String(Number(value.toPrecision(6)));
+    // What rounding leaves of 0 is shown as 0.
+    this.element.value = value === undefined ? '' : String(Math.abs(value) < 1e-12 ? 0 : Number(value.toPrecision(6)));
   }
 }
 
@@ -116,7 +117,7 @@ abstract class Controls<Model extends Held> {
       this.field(`Centre of mass${of}, ${axis} [m]`, 'number', { step }, () => object()?.com[k],
         given((value) => this.model.edit(() => void (object()!.com = object()!.com.map((old, i) => (i === k ? value : old))))));
     const axes = ['x', 'y', 'z'].slice(0, object()!.com.length);
-    return html('label', {}, `Centre of mass${of}`, html('span', { class: 'pair' }, ...axes.map(part)), 'm');
+    return html('label', {}, of ? `Its com${of}` : 'Centre of mass', html('span', { class: 'pair' }, ...axes.map(part)), 'm');
   }
 
   private contactTable(): HTMLElement {

@@ -85,6 +85,11 @@ export class SpatialModel {
     this.changed(false);
   }
 
+  /** A mesh is not known to the solver, which would miss the shape. */
+  get warnings(): string[] {
+    return this.mesh ? [] : this.answers.check.warnings;
+  }
+
   /** The direction of the object that points up. */
   get up(): Vec {
     return turnedBack(this.orientation, up);

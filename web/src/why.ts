@@ -37,7 +37,8 @@ function contactsInWords(contacts: Contacts, hold: AnyHeld): string {
   const unloaded = named((each) => each.state === 'unloaded');
   const least = named((each) => each.limit === 'min' && each.state !== 'unloaded');
   const most = named((each) => each.limit === 'max');
-  const verb = (names: string[], one: string, more: string) => `${list(names)} ${names.length > 1 ? more : one}`;
+  const all = (names: string[]) => (names.length > 6 ? `${names.length} of ${contacts.length} contacts` : list(names));
+  const verb = (names: string[], one: string, more: string) => `${all(names)} ${names.length > 1 ? more : one}`;
   const parts: string[] = [];
   if (slipping.length) parts.push(`${verb(slipping, 'uses all its friction, at the edge of its cone', 'use all their friction, at the edges of their cones')}`);
   if (most.length) parts.push(`${verb(most, 'presses', 'press')} with the greatest force allowed`);
@@ -116,7 +117,8 @@ export function whyInSpace(model: SpatialModel, margins: Margins | undefined): s
     if (best?.status === 'unholdable') said.push(`No ${allowed(model)} posture can be held, which is proven.`);
     return said;
   }
-  return [of + contactsInWords(check.contacts, hold), steepest(model, hold), best ? comparedInSpace(model, best) : '', margins ? stillHolds(margins) : ''].filter(Boolean);
+  const contacts = contactsInWords(check.contacts, hold);
+  return [of ? of + contacts.charAt(0).toLowerCase() + contacts.slice(1) : contacts, steepest(model, hold), best ? comparedInSpace(model, best) : '', margins ? stillHolds(margins) : ''].filter(Boolean);
 }
 
 const allowed = ({ answers }: SpatialModel) => (answers.check.tilt ? 'allowed' : 'other');
