@@ -80,7 +80,8 @@ RC_GTEST_PROP(SpaceLaws, ShareMakesASplitContactNeutralToTheBest, ()) {
   part.share /= 2;
   part.min_normal /= 2;
   part.max_normal /= 2;
-  pad.contacts.push_back(Contact<3>(part));
+  const Contact<3> other_half = part;
+  pad.contacts.push_back(other_half);
   agree(best(held), best(pad));
 }
 
@@ -164,7 +165,8 @@ RC_GTEST_PROP(SpaceLaws, WithoutLimitsHoldsAllOrInAHalfSphere, ()) {
 double least_found(const Grasp<3>& grasp) {
   const auto effort = [&](const Vector<3>& up) {
     const Hold<3> found = hold(grasp, up);
-    return found.holdable ? found.effort : infinity;
+    if (!found.holdable) return infinity;
+    return found.effort;
   };
   std::vector<std::pair<double, Vector<3>>> lowest;
   for (const Vector<3>& up : directions(400)) lowest.emplace_back(effort(up), up);

@@ -48,9 +48,9 @@ class Scene {
   /// begin with a small fall. @return how far the centre of mass, or a point beside it at the
   /// distance of the farthest contact, has moved since [m]
   double moved(double seconds) {
-    const std::vector<mjtNum> friction(model_->pair_friction,
-                                       model_->pair_friction + 5 * model_->npair);
-    for (int k = 0; k < 5 * model_->npair; ++k) model_->pair_friction[k] *= 2;
+    const std::ptrdiff_t numbers = std::ptrdiff_t{5} * model_->npair;
+    const std::vector<mjtNum> friction(model_->pair_friction, model_->pair_friction + numbers);
+    for (std::ptrdiff_t k = 0; k < numbers; ++k) model_->pair_friction[k] *= 2;
     const double contact_made = 0.02;
     while (data_->time < contact_made) mj_step(model_.get(), data_.get());
     std::copy(friction.begin(), friction.end(), model_->pair_friction);
