@@ -109,8 +109,10 @@ Square<3, T> curvature_space(const Cones<3, T>& cones, const Point<3, T>& point)
       h[3 + k] = c.r[i] * h[j] - c.r[j] * h[i] + ds * c.n[k];
     }
     int at_sum = 0;
+#pragma GCC unroll 6
     for (int row = 0; row < 6; ++row) {
       const L left = nn * g[row] + nd * h[row], right = nd * g[row] + dd * h[row];
+#pragma GCC unroll 6
       for (int column = row; column < 6; ++column)
         sums[at_sum++] += left * g[column] + right * h[column];
     }
@@ -272,23 +274,32 @@ Square<3, T> curvature(const Cones<3, T>& cones, const Point<3, T>& point) {
 template <class T>
 Screw<3, T> newton_step(const Square<3, T>& M, const Screw<3, T>& r) {
   constexpr double rounding = 4.5 * rounding_of<T>, least = rounding * rounding;
-  T D[6], over[6], L[6][6];  // L below the diagonal; D L before L is divided
-  Screw<3, T> x = r;
-  for (int j = 0; j < 6; ++j) {
-    T pivot = M(j, j);
-    for (int k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k] * D[k];
-    D[j] = std::max<T>(pivot, rounding * M(j, j) + least);
-    over[j] = 1 / D[j];
-    for (int i = j + 1; i < 6; ++i) {
-      T entry = M(j, i);
-      for (int k = 0; k < j; ++k) entry -= L[i][k] * L[j][k] * D[k];
-      L[i][j] = entry * over[j];
-    }
-    for (int k = 0; k < j; ++k) x[j] -= L[j][k] * x[k];
+  T A[6][7], over[6];  // what is left of M and r, row by row
+#pragma GCC unroll 6
+  for (int i = 0; i < 6; ++i) {
+#pragma GCC unroll 6
+    for (int j = i; j < 6; ++j) A[i][j] = M(i, j);
+    A[i][6] = r[i];
   }
-  for (int j = 0; j < 6; ++j) x[j] *= over[j];
-  for (int j = 5; j >= 0; --j)
-    for (int i = j + 1; i < 6; ++i) x[j] -= L[i][j] * x[i];
+#pragma GCC unroll 6
+  for (int j = 0; j < 6; ++j) {
+    const T pivot = std::max<T>(A[j][j], rounding * M(j, j) + least);
+    over[j] = 1 / pivot;
+#pragma GCC unroll 6
+    for (int i = j + 1; i < 6; ++i) {
+      const T part = A[j][i] * over[j];
+#pragma GCC unroll 7
+      for (int k = i; k < 7; ++k) A[i][k] -= part * A[j][k];
+    }
+  }
+  Screw<3, T> x;
+#pragma GCC unroll 6
+  for (int j = 5; j >= 0; --j) {
+    T sum = A[j][6];
+#pragma GCC unroll 6
+    for (int k = j + 1; k < 6; ++k) sum -= A[j][k] * x[k];
+    x[j] = sum * over[j];
+  }
   return x;
 }
 
