@@ -129,7 +129,7 @@ class WeightSearch {
     if (by.gain >= 0 && weight < greatest.bound) {
       greatest.bound = std::max(weight, 0.0);
       greatest.dual = y;
-    } else if (by.gain < 0 && weight > least.bound) {
+    } else if (by.gain < 0 && weight > least.bound && !from_zero_) {
       least.bound = weight;
       least.dual = y;
     }
@@ -164,7 +164,12 @@ class WeightSearch {
   bool find_least() {
     WeightEnd<Dim>& end = range_.least;
     end.hold = hold<Dim>(grasp_, Wrench<Dim>(Wrench<Dim>::Zero()), Twist<Dim>::Zero(), settings_);
-    if (end.hold.holdable) return true;
+    from_zero_ = end.hold.holdable;
+    if (from_zero_) {
+      end.bound = 0;
+      end.dual.setZero();
+      return true;
+    }
     cut(end.hold.dual);
     double step = wanted;
     for (int k = 0; k < most_probes && end.bound > 0 && step < 1 && !empty(); ++k) {
@@ -201,8 +206,9 @@ class WeightSearch {
   const Grasp<Dim>& grasp_;
   const Vector<Dim>& up_;
   const HoldSettings& settings_;
-  bool pressed_{false};  ///< contacts must press even where there is no weight
-  double strength_{0};   ///< of all contacts with max_normal [N]
+  bool pressed_{false};    ///< contacts must press even where there is no weight
+  bool from_zero_{false};  ///< they can do so without any weight
+  double strength_{0};     ///< of all contacts with max_normal [N]
   WeightRange<Dim> range_;
 };
 

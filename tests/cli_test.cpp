@@ -450,6 +450,25 @@ TEST_F(CommandLine, CapacityIsWhatTwoFingersCarryByFriction) {
   EXPECT_NE(run.out.find("18.75 N, with a safety factor of 1.500"), std::string::npos);
 }
 
+TEST_F(CommandLine, CapacityHasALeastWeightWhereAFingerMustPress) {
+  // Pushed from below with 12 to 20 N, between two fingers that carry up to 0.3 * 5 N each.
+  write("pushed.json",
+        "{\"poise\": 1, \"dimension\": 2, \"object\": {\"weight\": 10, \"com\": [0, 0]},\n"
+        " \"contacts\": [\n"
+        "  {\"position\": [0, -1], \"normal\": [0, 1], \"friction\": 0.3,\n"
+        "   \"min_normal\": 12, \"max_normal\": 20},\n"
+        "  {\"position\": [-1, 0], \"normal\": [1, 0], \"friction\": 0.3, \"max_normal\": 5},\n"
+        "  {\"position\": [1, 0], \"normal\": [-1, 0], \"friction\": 0.3, \"max_normal\": 5}]}\n");
+  const Json answer = json("capacity pushed.json --angle 0");
+  const Json& at = answer["capacities"][0];
+  EXPECT_NEAR(at["weight"]["least_bound"], 12 - 2 * 0.3 * 5, 1e-8);
+  EXPECT_NEAR(at["weight"]["greatest_bound"], 20 + 2 * 0.3 * 5, 1e-8);
+  EXPECT_NEAR(at["friction"]["bound"], 0.2 / 0.3, 1e-8);  // 12 N - 10 N = 2 * 0.2 * 5 N
+  write("answer.json", answer.dump());
+  const Outcome run = poise("verify pushed.json answer.json");
+  EXPECT_EQ(run.status, 0) << run.out;
+}
+
 TEST_F(CommandLine, VerifyConfirmsCapacityAndRefutesMore) {
   write("vice.json", vice("\"angle_deg\": 0, "));
   write("answer.json", poise("capacity vice.json --json").out);

@@ -99,13 +99,14 @@ void check_friction(Claims& claims, const Case& in, const Field& friction) {
     const Vec y = read_vector(friction.get("dual", "a twist"), in.held.wrench_size());
     const WeightBound by =
         weight_bound(with_friction(in.held, says * (1 - rounding)), in.load(), in.up, y, in.cap);
-    claims.check(bound, "with less friction the weight cannot be held, by the dual [weights]",
-                 by.gain > 0 ? by.fixed / by.gain / in.load().weight : infinity, 1 + rounding);
+    claims.check(bound, "with less friction the weight cannot be held, by the dual",
+                 by.fixed - in.load().weight * by.gain, rounding * worth(in.load(), y));
   }
   if (factor.is_null()) return;
   claims.check(factor, "factor is not below its bound", says - factor.finite(), rounding * says);
-  check_held(claims, in, with_friction(in.held, factor.finite()), friction.get("hold", "a hold"),
-             false);
+  // Rounding of the friction is felt where the forces are great.
+  check_held(claims, in, with_friction(in.held, factor.finite() * (1 + 1e-12L)),
+             friction.get("hold", "a hold"), false);
 }
 
 }  // namespace
