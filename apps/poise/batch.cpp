@@ -53,8 +53,8 @@ class Progress {
     shown_ = now;
     const double seconds = std::chrono::duration<double>(now - begin_).count();
     const double part = inputs_.part();
-    std::string line = fmt::format("{} records, {:.4g}/s", counts.all(),
-                                   static_cast<double>(counts.all() - first_) / seconds);
+    const double rate = static_cast<double>(counts.all() - first_) / seconds;
+    std::string line = fmt::format("{} records, {:.{}f}/s", counts.all(), rate, rate < 100 ? 1 : 0);
     if (part > part_)
       line += fmt::format(", {:.0f} %, {} left", std::floor(100 * part),
                           duration(seconds * (1 - part) / (part - part_)));
