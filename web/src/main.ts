@@ -1,5 +1,6 @@
 import './style.css';
-import { decompress } from 'fzstd';
+import { Decoder } from '@lzma/decoder.js';
+import { InputBuffer, OutputBuffer } from '@lzma/streams.js';
 import packed from 'virtual:core';
 import { BodyView } from './body';
 import { BadGrasp, read, start, type AnyHold, type Margins } from './core';
@@ -19,7 +20,12 @@ import { why, whyInSpace } from './why';
 
 const find = <Kind extends HTMLElement>(id: string) => document.getElementById(id) as Kind;
 
-const wasm = decompress(Uint8Array.from(atob(packed), (character) => character.charCodeAt(0))).slice().buffer;
+function unpacked(text: string): ArrayBuffer {
+  const whole = new OutputBuffer(2 ** 20);
+  new Decoder().decompress(new InputBuffer(Uint8Array.from(atob(text), (character) => character.charCodeAt(0))), whole);
+  return Uint8Array.from(whole.toArray()).buffer;
+}
+const wasm = unpacked(packed);
 await start(wasm);
 
 /** A grasp in the plane, or in space: its model, its views. */

@@ -1,7 +1,13 @@
 // The page in the plane: node test/page.mjs
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
+import { gzipSync } from 'node:zlib';
 import { choose, drag, expect, finish, frame, minima, near, open, out, root, verdict } from './browser.mjs';
+
+const whole = readFileSync(`${root}web/dist/playground.html`);
+const compressed = gzipSync(whole, { level: 9 }).length;
+console.log(`${whole.length} bytes, ${compressed} compressed`);
+expect(whole.length < 1e6 && compressed < 300e3, 'the page is small');
 
 const page = await open(`${root}web/dist/playground.html`);
 console.log(`opened in ${page.ready} ms`);
