@@ -139,6 +139,8 @@ class Search {
   Evaluation evaluate(const Vector<3>& x, const Row* from = nullptr, bool exact = false);
 
   void run();
+  /// Takes over what was found for the same scenarios without max_normal.
+  void begin_with(const Search& easier);
 
   /// Turns that nobody feels leave only loads on these planes.
   const std::vector<Plane>& thin() const { return thin_; }
@@ -453,6 +455,20 @@ bool Search::cross() {
   return best_V_ < before;
 }
 
+void Search::begin_with(const Search& easier) {
+  if (easier.best_V_ < infinity) visit(easier.best_up_, &easier.best_row_);
+  for (Row row : easier.rows_) {
+    if (!row.plane) {
+      const ScaledGrasp<3>& grasp = scenarios_[row.scenario].grasp->scaled();
+      dual::Point<3> point(grasp.size);
+      dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), row.y, point);
+      row.phi = -point.value;
+    }
+    rows_.push_back(row);
+    cut(rows_.size() - 1, Polytope::none);
+  }
+}
+
 void Search::run() {
   for (const Cone& cone : cones_)
     if (best_V_ == infinity && inside(cone.axis)) visit(cone.axis, nullptr);
@@ -627,6 +643,21 @@ std::vector<Vector<3>> spiral(int count, const Cone& cone) {
   return points;
 }
 
+bool only_max_normal(const std::vector<Grasp<3>>& grasps) {
+  bool any = false;
+  for (const Contact<3>& contact : grasps.front().contacts()) {
+    if (contact.min_normal > 0) return false;
+    any = any || std::isfinite(contact.max_normal);
+  }
+  return any;
+}
+
+Grasp<3> without_max_normal(const Grasp<3>& grasp) {
+  std::vector<Contact<3>> contacts = grasp.contacts();
+  for (Contact<3>& contact : contacts) contact.max_normal = infinity;
+  return {grasp.object(), std::move(contacts)};
+}
+
 /// Where to descend from: where steps down the slope lead from postures spread over the domain, and
 /// no two that are nearly the same.
 std::vector<Vector<3>> starts(Search& search, const std::vector<Cone>& domain, int count) {
@@ -686,10 +717,27 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
 
   BestSpatialPosture result;
   Search search(scenarios, domain, settings.gap, settings.max_holds);
-  search.run();
-  const double square = weight * weight, bound = search.lower_bound();
-  result.holds = search.holds();
-  result.cuts = search.certificate(bound);
+  // What is proven without max_normal holds with it. Where the best posture needs no more then,
+  // that is all; else it is where to begin.
+  std::vector<Grasp<3>> strong;
+  std::vector<Scenario> unlimited;
+  std::optional<Search> easier;
+  if (only_max_normal(grasps)) {
+    for (const Grasp<3>& grasp : grasps) strong.push_back(without_max_normal(grasp));
+    for (std::size_t s = 0; s < grasps.size(); ++s)
+      unlimited.push_back({&strong[s], scenarios[s].weight, scenarios[s].cap});
+    easier.emplace(unlimited, domain, settings.gap, settings.max_holds);
+    easier->run();
+    search.begin_with(*easier);
+  }
+  const bool proven =
+      easier && search.best_V() <= (1 + 0.1 * settings.gap) * easier->best_V() &&
+      (easier->best_V() < infinity || easier->lower_bound() > search.cap() * search.cap());
+  if (!proven) search.run();
+  Search& prover = proven ? *easier : search;
+  const double square = weight * weight, bound = prover.lower_bound();
+  result.holds = search.holds() + (easier ? easier->holds() : 0);
+  result.cuts = prover.certificate(bound);
   result.lower_bound = square * bound;
   if (!(search.best_V() < infinity)) {
     result.status = bound > search.cap() * search.cap() ? Status::unholdable : Status::gap;
