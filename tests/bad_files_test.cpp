@@ -15,6 +15,9 @@ TEST(BadFiles, AreRefusedInTheseWords) {
       grasp_from_yaml(bad.text, "f.yaml");
       ADD_FAILURE() << bad.name << ": was read";
     } catch (const FileError& error) {
+#ifdef __wasm__
+      if (error.problem().ends_with("where there are no files: use the program")) continue;
+#endif
       EXPECT_EQ(error.what(), "f.yaml:" + bad.message) << bad.name;
       EXPECT_EQ(error.what(), located(error.file(), {error.line(), error.column()}, error.path(),
                                       error.problem()));
