@@ -775,7 +775,8 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
           (minimum.up + 1e-6 * (across * Vector<2>(std::cos(k * pi / 4), std::sin(k * pi / 4))))
               .normalized();
       for (const Cone& cone : domain) interior = interior && !(cone.excess(beside) > 0);
-      interior = interior && search.evaluate(beside).V < infinity;
+      for (const Scenario& scenario : scenarios)
+        interior = interior && hold(*scenario.grasp, beside, {scenario.cap}).holdable;
     }
     if (interior) result.pinched = i;
   }
