@@ -52,28 +52,17 @@ RC_GTEST_PROP(SpaceVerified, HoldsOfAnyGraspAre, ()) {
   RC_ASSERT(refuted(file, hold_document(grasps, hold_all(grasps, up), {})) == "");
 }
 
-// A few bounds are not proven by their cuts as sharply as the verifier wants it.
-TEST(SpaceVerified, BestsOfNearlyAllGraspsAre) {
-  int tried = 0, bad = 0;
-  rc::check([&] {
-    if (!one_in(3)) return;
-    const SpatialFile file = *rc::gen::exec([] { return random_file(false); });
-    const std::vector<Grasp<3>> grasps = file.grasps();
-    SpatialSettings settings;
-    settings.max_holds = 200;
-    settings.starts = one_in(10) ? 8 : 0;
-    settings.tilt = file.tilt;
-    const Eigen::Quaterniond lying(Eigen::AngleAxisd(1.2, Vector<3>(0.6, 0.64, 0.48)));
-    const std::string words =
-        refuted(file, best_document(grasps, best_posture(grasps, settings), settings, lying));
-    ++tried;
-    if (words.empty()) return;
-    ++bad;
-    if (std::getenv("POISE_SHOW"))
-      std::cerr << Held{file.scenarios[0], file.contacts} << '\n' << words;
-  });
-  EXPECT_GE(tried, 500);
-  EXPECT_LE(bad, tried / 25);
+RC_GTEST_PROP(SpaceVerified, BestsOfAnyGraspAre, ()) {
+  if (!one_in(3)) return;
+  const SpatialFile file = *rc::gen::exec([] { return random_file(one_in(2)); });
+  const std::vector<Grasp<3>> grasps = file.grasps();
+  SpatialSettings settings;
+  settings.max_holds = 200;
+  settings.starts = one_in(10) ? 8 : 0;
+  settings.tilt = file.tilt;
+  const Eigen::Quaterniond lying(Eigen::AngleAxisd(1.2, Vector<3>(0.6, 0.64, 0.48)));
+  RC_ASSERT(
+      refuted(file, best_document(grasps, best_posture(grasps, settings), settings, lying)) == "");
 }
 
 }  // namespace
