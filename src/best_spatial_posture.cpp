@@ -103,6 +103,21 @@ struct OnPlanes {
   Vector<3> fixed = Vector<3>::Zero(), along;
 };
 
+/// The postures in which one contact may carry all: it is right under the com, or above it.
+std::vector<Vector<3>> on_one_contact(const Grasp<3>& grasp) {
+  std::vector<Vector<3>> ups;
+  for (const Contact<3>& contact : grasp.contacts()) {
+    const Vector<3> arm = grasp.object().com - contact.position;
+    const bool at_com = arm.norm() <= 1e-9 * grasp.radius();
+    const Vector<3> along = at_com ? contact.normal : Vector<3>(arm.normalized());
+    const double normal = contact.normal.dot(along);
+    const double beside = (along - normal * contact.normal).norm();
+    if (beside <= contact.friction * std::abs(normal) + 1e-9)
+      ups.push_back(normal > 0 ? along : -along);
+  }
+  return ups;
+}
+
 /// Minimises the greatest effort of the scenarios over the unit vectors of all cones.
 class Search {
  public:
@@ -474,12 +489,8 @@ void Search::run() {
     if (best_V_ == infinity && inside(cone.axis)) visit(cone.axis, nullptr);
   // A contact right under the com carries alone, perhaps in this posture only.
   for (const Scenario& scenario : scenarios_)
-    for (const Contact<3>& contact : scenario.grasp->contacts()) {
-      const Vector<3> arm = contact.position - scenario.grasp->object().com;
-      if (arm.cross(contact.normal).norm() <= 1e-9 * scenario.grasp->radius() &&
-          inside(contact.normal))
-        visit(contact.normal, nullptr);
-    }
+    for (const Vector<3>& up : on_one_contact(*scenario.grasp))
+      if (inside(up)) visit(up, nullptr);
   if (limited_) {
     const Evaluation none = evaluate(Vector<3>::Zero(), nullptr, true);
     if (none.V < infinity) lighter_ = Load{Vector<3>::Zero(), none.V};
@@ -643,6 +654,38 @@ std::vector<Vector<3>> spiral(int count, const Cone& cone) {
   return points;
 }
 
+/// The slope of the effort at a posture, along the sphere; none where it cannot be held.
+std::optional<Vector<3>> slope(const Scenario& scenario, const Vector<3>& up) {
+  const Hold<3> found = hold(*scenario.grasp, up, {scenario.cap});
+  if (!found.holdable) return {};
+  const Vector<3> v = about_com(*scenario.grasp, found.dual).head<3>();
+  return v - up.dot(v) * up;
+}
+
+/// A minimum to all its digits, where the effort is smooth: the effort alone tells only half of
+/// them, and a finger that carries nothing there would seem to press a little.
+Vector<3> settled(const Scenario& scenario, Vector<3> up) {
+  constexpr double h = 1e-5;
+  std::optional<Vector<3>> here = slope(scenario, up);
+  for (int step = 0; step < 5 && here; ++step) {
+    const Eigen::Matrix<double, 3, 2> across = tangents(up);
+    Eigen::Matrix2d J;
+    for (int k = 0; k < 2; ++k) {
+      const auto beside = slope(scenario, (up + h * across.col(k)).normalized());
+      if (!beside) return up;
+      J.col(k) = across.transpose() * (*beside - *here) / h;
+    }
+    const Vector<2> way = -J.inverse() * (across.transpose() * *here);
+    if (!(J.determinant() > 0) || !(J.trace() > 0) || !(way.norm() < 1e-3)) return up;
+    const Vector<3> next = (up + across * way).normalized();
+    const auto there = slope(scenario, next);
+    if (!there || !(there->norm() < 0.5 * here->norm())) return up;
+    up = next;
+    here = there;
+  }
+  return up;
+}
+
 bool only_max_normal(const std::vector<Grasp<3>>& grasps) {
   bool any = false;
   for (const Contact<3>& contact : grasps.front().contacts()) {
@@ -744,7 +787,12 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
     return result;
   }
 
+  // The best to more digits than the gap tells.
   std::vector<std::pair<Vector<3>, Row>> found = {{search.best_up(), search.best_row()}};
+  if (settings.starts > 0) {
+    const auto refined = descend(scenarios, domain, search.best_up());
+    if (search.evaluate(refined.first, nullptr, true).V <= search.best_V()) found = {refined};
+  }
   for (const Vector<3>& start : starts(search, domain, settings.starts)) {
     const auto minimum = descend(scenarios, domain, start);
     if (std::none_of(found.begin(), found.end(), [&](const auto& other) {
@@ -754,6 +802,17 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
   }
   for (const auto& [up, row] : found) {
     SpatialPosture minimum = posture(scenarios, up, row);
+    std::vector<Vector<3>> sharper;
+    if (scenarios.size() == 1 && domain.empty()) sharper.push_back(settled(scenarios.front(), up));
+    for (const Scenario& scenario : scenarios)
+      for (const Vector<3>& alone : on_one_contact(*scenario.grasp))
+        if ((alone - up).norm() < 1e-4 && (domain.empty() || domain.front().excess(alone) <= 0))
+          sharper.push_back(alone);
+    for (const Vector<3>& other : sharper) {
+      SpatialPosture there = posture(scenarios, other, row);
+      if (there.hold.holdable && there.effort() <= (1 + 1e-9) * minimum.effort())
+        minimum = std::move(there);
+    }
     if (minimum.hold.holdable) result.minima.push_back(std::move(minimum));
   }
   if (result.minima.empty()) return result;  // within rounding of the limit of holding
