@@ -787,12 +787,7 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
     return result;
   }
 
-  // The best to more digits than the gap tells.
   std::vector<std::pair<Vector<3>, Row>> found = {{search.best_up(), search.best_row()}};
-  if (settings.starts > 0) {
-    const auto refined = descend(scenarios, domain, search.best_up());
-    if (search.evaluate(refined.first, nullptr, true).V <= search.best_V()) found = {refined};
-  }
   for (const Vector<3>& start : starts(search, domain, settings.starts)) {
     const auto minimum = descend(scenarios, domain, start);
     if (std::none_of(found.begin(), found.end(), [&](const auto& other) {
@@ -803,6 +798,9 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
   for (const auto& [up, row] : found) {
     SpatialPosture minimum = posture(scenarios, up, row);
     std::vector<Vector<3>> sharper;
+    // The best is found no better than the gap tells.
+    if (settings.starts > 0 && result.minima.empty())
+      sharper.push_back(descend(scenarios, domain, up).first);
     if (scenarios.size() == 1 && domain.empty()) sharper.push_back(settled(scenarios.front(), up));
     for (const Scenario& scenario : scenarios)
       for (const Vector<3>& alone : on_one_contact(*scenario.grasp))
