@@ -40,7 +40,7 @@ export async function choose(page, label) {
   await frame(page);
 }
 export async function drag(page, selector, dx, dy) {
-  const box = await page.locator(selector).first().boundingBox();
+  const box = await page.$eval(selector, (each) => each.getBoundingClientRect().toJSON());
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();

@@ -19,8 +19,9 @@ const shown = await minima(page);
 expect(shown.length === best.minima.length, 'as many minima as the program finds', shown.length);
 shown.forEach((each, k) =>
   expect(near(each.angle, best.minima[k].angle_deg) && near(each.effort, best.minima[k].effort), 'a minimum', each));
-const meets = await page.locator('.meet.here').boundingBox();
-const com = await page.locator('.com .dot').boundingBox();
+// Both in one go: what is drawn may be drawn anew in between.
+const [meets, com] = await page.evaluate(() =>
+  ['.meet.here', '.com .dot'].map((each) => document.querySelector(each).getBoundingClientRect().toJSON()));
 expect(Math.abs(meets.x + meets.width / 2 - com.x - com.width / 2) < 0.1, 'the cone edges meet on the vertical');
 expect((await page.textContent('#why')).includes('meet on the vertical'), 'it says so');
 await page.screenshot({ path: `${out}fig6.png` });
