@@ -528,6 +528,78 @@ class Curves(unittest.TestCase):
                 self.assertGreater(file.stat().st_size, 5000)
 
 
+class Capacities(unittest.TestCase):
+    def check_hold(self, hold, shown):
+        self.assertEqual(hold.effort, shown["effort"])
+        for force, contact in zip(hold.forces, shown["contacts"]):
+            self.assertEqual(force.normal, contact["normal_force"])
+
+    def check_weights(self, grasp, up, weights, shown):
+        self.assertEqual(weights.holdable, shown["holdable"])
+        for end, name in [(weights.greatest, "greatest"), (weights.least, "least")]:
+            self.assertEqual(end.dual.tolist(), shown[f"{name}_dual"])
+            if shown[f"{name}_bound"] is not None:
+                self.assertEqual(end.bound, shown[f"{name}_bound"])
+            if f"{name}_hold" in shown:
+                self.check_hold(end.hold, shown[f"{name}_hold"])
+        if not weights.holdable:
+            return
+        self.assertEqual(math.isinf(weights.greatest.weight), shown["any"])
+        if not shown["any"]:
+            self.assertEqual(weights.greatest.weight, shown["greatest"])
+            decide = poise.deciding(grasp, up, weights.greatest.dual)
+            for contact, expected in zip(decide, shown["contacts"], strict=True):
+                self.assertEqual(contact.per_newton, expected["per_newton"])
+                self.assertEqual(contact.slipping, expected["slipping"])
+
+    def check_file(self, file):
+        """As the program says, in a posture that both have without rounding."""
+        grasps = poise.load(file).grasps()
+        up = [0] * (grasps[0].dimension - 1) + [1]
+        options = ["--safety", "2", "--up", ",".join(map(str, up))]
+        for shown in answer("capacity", file, *options)["capacities"]:
+            grasp = grasps[shown.get("scenario", 0)]
+            self.assertEqual(shown["up"], up)
+            capacity = poise.capacity(grasp, up, 2)
+            self.check_weights(grasp, up, capacity.weights, shown["weight"])
+            if shown["friction"]["factor"] is not None:
+                self.assertEqual(capacity.friction.factor, shown["friction"]["factor"])
+                self.check_hold(capacity.friction.hold, shown["friction"]["hold"])
+            self.assertEqual(capacity.friction.bound, shown["friction"]["bound"])
+            self.assertEqual(capacity.friction.dual.tolist(), shown["friction"]["dual"])
+            self.assertEqual(capacity.safe.holdable, shown["command"]["holdable"])
+            if capacity.safe.holdable:
+                self.check_hold(capacity.safe, shown["command"])
+
+    def test_they_are_those_of_the_program(self):
+        for name in ["hexagon-three-fingers", "ito-fig6", "tray", "box-hard-jaws", "box-soft-jaws"]:
+            with self.subTest(name):
+                self.check_file(ROOT / "examples" / f"{name}.yaml")
+
+    def test_two_opposed_fingers_hold_twice_their_friction(self):
+        for zero in [[], [0]]:
+            contacts = [
+                poise.Contact([s, 0, *zero], [-s, 0, *zero], 0.4, max_normal=25) for s in (-1, 1)
+            ]
+            grasp, up = poise.Grasp(poise.Object(10, [0, 0, *zero]), contacts), [0, 3, *zero]
+            weights = poise.weight_range(grasp, up)
+            self.assertEqual(weights.least.weight, 0)
+            self.assertAlmostEqual(weights.greatest.weight, 2 * 0.4 * 25, delta=1e-5)
+            self.assertAlmostEqual(poise.least_friction(grasp, up).factor, 0.5, delta=1e-6)
+            for contact in poise.deciding(grasp, up, weights.greatest.dual):
+                self.assertAlmostEqual(contact.per_newton, 0.4, delta=1e-6)
+                self.assertTrue(contact.slipping)
+
+    def test_grasps_like_another(self):
+        lid = poise.Contact([0, 1], [0, -1], 0.5, min_normal=2, max_normal=3)
+        grasp = poise.Grasp(poise.Object(10), [lid, poise.Contact([0, -1], [0, 1], 0.3)])
+        self.assertEqual(poise.with_weight(grasp, 4).object.weight, 4)
+        rough = poise.with_friction(grasp, 2).contacts
+        self.assertEqual([contact.friction for contact in rough], [1, 0.6])
+        free = poise.without_limits(grasp).contacts
+        self.assertEqual([(c.min_normal, c.max_normal) for c in free], [(0, 0), (0, math.inf)])
+
+
 class Records(unittest.TestCase):
     def test_they_are_those_of_the_program(self):
         rng = np.random.default_rng(19)
@@ -717,6 +789,18 @@ class Misuse(unittest.TestCase):
         with self.assertRaises(IndexError):
             grasp.finger_of(2)
 
+    def test_capacities(self):
+        grasp = disk()
+        for safety in [0.5, math.nan, math.inf]:
+            self.check("safety", poise.capacity, grasp, [0, 1], safety)
+        self.check("up", poise.weight_range, grasp, [0, 0])
+        self.check("up", poise.least_friction, grasp, [0, 1, 0])
+        self.check("force_cap", poise.weight_range, grasp, [0, 1], force_cap=0)
+        self.check("dual", poise.deciding, grasp, [0, 1], [0, 1])
+        self.check("dual", poise.deciding, grasp, [0, 1], [0, 1, math.nan])
+        self.check("object.weight", poise.with_weight, grasp, 0)
+        self.check("contacts[0].friction", poise.with_friction, grasp, -1)
+
     def test_dimensions(self):
         planar, spatial = disk(), random_spatial_grasp(np.random.default_rng(17), 3)
         self.check("grasp", poise.posture_curve, spatial)
@@ -745,7 +829,11 @@ class Misuse(unittest.TestCase):
         grasp = random_spatial_grasp(np.random.default_rng(18), 4)
         best = poise.best_posture(grasp, gap=1e-2)
         hold = best.best.hold
-        for value in [best, best.best, best.cuts[0], hold, hold.forces[0], poise.Tilt([0, 0, 1], 1)]:
+        capacity = poise.capacity(grasp, [0, 0, 1], 1)
+        parts = [capacity, capacity.weights, capacity.weights.greatest, capacity.friction]
+        parts += poise.deciding(grasp, [0, 0, 1], capacity.weights.greatest.dual)
+        tilt = poise.Tilt([0, 0, 1], 1)
+        for value in [best, best.best, best.cuts[0], hold, hold.forces[0], tilt, *parts]:
             self.assertRegex(repr(value), r"^\w+\(.*\)$")
             self.assertNotIn("object at", repr(value))
 

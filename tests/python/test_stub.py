@@ -8,6 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import poise
 from poise import _core
 
 ROOT = Path(__file__).parents[2]
@@ -87,6 +88,22 @@ class Stub(unittest.TestCase):
                 continue
             text = value.__doc__ if isinstance(value, type) else value.__doc__.split("\n", 1)[1]
             self.assertTrue(text.strip(), name)
+
+    def test_names_are_those_of_cpp(self):
+        # Settings are keywords, linear algebra is numpy's, words of enumerations are their names.
+        elsewhere = {"CurveSettings", "HoldSettings", "SpatialSettings", "ScaledGrasp"}
+        elsewhere |= {"SmallVector", "Twist", "Vector", "Wrench", "to_string"}
+        elsewhere |= {"contact_size", "wrench_size"}
+        found = set()
+        for header in (ROOT / "include" / "poise").glob("*.hpp"):
+            for line in header.read_text(encoding="utf-8").splitlines():
+                pattern = r"(?:struct|class|enum class|using) (\w+)|inline constexpr \w+ (\w+)"
+                pattern += r"|(?!struct|class|template|static|using|return)\w[\w:<>, *]* [*&]?(\w+)\("
+                if name := re.match(pattern, line):
+                    found.add(name[1] or name[2] or name[3])
+        self.assertGreater(len(found), 60)
+        self.assertLessEqual({"Grasp", "hold", "up_at", "manner", "capacity"}, found)
+        self.assertEqual({name for name in found - elsewhere if not hasattr(poise, name)}, set())
 
 
 if __name__ == "__main__":

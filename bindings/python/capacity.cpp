@@ -1,0 +1,202 @@
+#include "poise/capacity.hpp"
+
+#include "module.hpp"
+#include "values.hpp"
+
+namespace poise::python {
+namespace {
+
+using AnyEnd = Either<WeightEnd>;
+using AnyRange = Either<WeightRange>;
+using AnyFriction = Either<LeastFriction>;
+using AnyCapacity = Either<Capacity>;
+
+/// What `f(grasp, up, settings)` makes of a grasp of either dimension in the posture `up`.
+template <class R, class F>
+R in_posture(const AnyGrasp& any, const Eigen::VectorXd& up, double force_cap, F f) {
+  const HoldSettings settings{.force_cap = checked_cap(force_cap)};
+  return std::visit(
+      [&]<int Dim>(const Grasp<Dim>& grasp) { return R{f(grasp, unit<Dim>(up), settings)}; },
+      any.of);
+}
+
+std::vector<Deciding> deciding_contacts(const AnyGrasp& any, const Eigen::VectorXd& up,
+                                        const Eigen::VectorXd& dual, double force_cap) {
+  if (!dual.allFinite()) throw InvalidGrasp("dual", "must be finite");
+  return in_posture<std::vector<Deciding>>(
+      any, up, force_cap,
+      [&]<int Dim>(const Grasp<Dim>& grasp, const Vector<Dim>& unit_up,
+                   const HoldSettings& settings) {
+        return deciding<Dim>(grasp, unit_up, sized<wrench_size<Dim>>(dual, "dual"), settings);
+      });
+}
+
+/// A member of either dimension that has a type of its own in each.
+template <template <int> class Part, class E, class Get>
+auto part(Get get) {
+  return each<E>([get](const auto& whole) { return Either<Part>{get(whole)}; });
+}
+
+constexpr const char* dual_text =
+    "A twist y about the object frame's origin, (3,) or (6,): velocity, angular velocity [1/m]. "
+    "For\n"
+    "every weight that is held with a force norm of at most force_cap weights\n"
+    "  weight (y . w(1 N) - force_cap |P(y)|) <= greatest y . G f of contacts with max_normal,\n"
+    "where P(y) is what contacts without max_normal can do against y. Zero where there is no "
+    "bound.";
+
+void add_types(py::module_& module) {
+  py::class_<AnyEnd>(module, "WeightEnd",
+                     "One end of the weights that can be held in a posture: found from both sides.")
+      .def_property_readonly("weight", each<AnyEnd>([](const auto& end) { return end.weight; }),
+                             "Can be held, by hold [N].")
+      .def_property_readonly("bound", each<AnyEnd>([](const auto& end) { return end.bound; }),
+                             "No weight beyond this can be held, by dual [N].")
+      .def_property_readonly("hold", part<Hold, AnyEnd>([](const auto& end) { return end.hold; }))
+      .def_property_readonly(
+          "dual", each<AnyEnd>([](const auto& end) -> Eigen::VectorXd { return end.dual; }),
+          dual_text)
+      .def("__repr__", each<AnyEnd>([](const auto& end) {
+             return py::str("WeightEnd({:.6g} N)").format(end.weight);
+           }));
+
+  py::class_<AnyRange>(module, "WeightRange",
+                       "All weights that can be held in a posture: an interval.")
+      .def_property_readonly("holdable",
+                             each<AnyRange>([](const auto& range) { return range.holdable; }),
+                             "Whether there are any.")
+      .def_property_readonly(
+          "least", part<WeightEnd, AnyRange>([](const auto& range) { return range.least; }),
+          "Above 0 only where contacts have a min_normal.")
+      .def_property_readonly(
+          "greatest", part<WeightEnd, AnyRange>([](const auto& range) { return range.greatest; }),
+          "Infinite where contacts without max_normal can hold any weight: then its hold is of "
+          "the\n"
+          "grasp's own weight, by these alone.")
+      .def("__repr__", each<AnyRange>([](const auto& range) {
+             if (!range.holdable) return py::str("WeightRange(unholdable)");
+             return py::str("WeightRange({:.6g} to {:.6g} N)")
+                 .format(range.least.weight, range.greatest.weight);
+           }));
+
+  py::class_<Deciding>(module, "Deciding",
+                       "What a contact has to do with an end, in every hold at that end.")
+      .def_readonly("per_newton", &Deciding::per_newton,
+                    "How many newtons more can be held at most for each newton more of "
+                    "max_normal; 0 where the\ncontact does not have to press as hard as it may.")
+      .def_readonly("slipping", &Deciding::slipping,
+                    "Whether it uses all its friction, if it presses at all.")
+      .def("__repr__", [](const Deciding& contact) {
+        return py::str("Deciding(per_newton={:.6g}, slipping={})")
+            .format(contact.per_newton, contact.slipping);
+      });
+
+  py::class_<AnyFriction>(module, "LeastFriction",
+                          "The least common factor on all frictions and torsions with which the "
+                          "weight is still held.\n1 / factor is the greatest safety.")
+      .def_property_readonly("factor",
+                             each<AnyFriction>([](const auto& least) { return least.factor; }),
+                             "The weight is held with it, by hold. Infinite where even a million "
+                             "times the friction is too\nlittle.")
+      .def_property_readonly("bound",
+                             each<AnyFriction>([](const auto& least) { return least.bound; }),
+                             "With less it is not, by dual.")
+      .def_property_readonly("hold",
+                             part<Hold, AnyFriction>([](const auto& least) { return least.hold; }))
+      .def_property_readonly(
+          "dual",
+          each<AnyFriction>([](const auto& least) -> Eigen::VectorXd { return least.dual; }),
+          "As in WeightEnd, with the grasp's weight and bound times its friction, (3,) or (6,).")
+      .def("__repr__", each<AnyFriction>([](const auto& least) {
+             return py::str("LeastFriction(factor={:.6g})").format(least.factor);
+           }));
+
+  py::class_<AnyCapacity>(module, "Capacity", "What people ask about a gripper in one posture.")
+      .def_property_readonly("weights", part<WeightRange, AnyCapacity>(
+                                            [](const auto& answer) { return answer.weights; }))
+      .def_property_readonly("friction", part<LeastFriction, AnyCapacity>(
+                                             [](const auto& answer) { return answer.friction; }))
+      .def_property_readonly(
+          "safe", part<Hold, AnyCapacity>([](const auto& answer) { return answer.safe; }),
+          "Hold of the grasp's weight, with all frictions and torsions divided by the safety.")
+      .def("__repr__", each<AnyCapacity>([](const auto& answer) {
+             return py::str("Capacity(weights={}, friction={})")
+                 .format(py::cast(AnyRange{answer.weights}),
+                         py::cast(AnyFriction{answer.friction}));
+           }));
+}
+
+/// A grasp like another.
+template <class F>
+std::shared_ptr<AnyGrasp> like(const AnyGrasp& any, F change) {
+  return std::visit(
+      [&](const auto& grasp) { return std::make_shared<AnyGrasp>(AnyGrasp{change(grasp)}); },
+      any.of);
+}
+
+}  // namespace
+
+void add_capacity(py::module_& module) {
+  add_types(module);
+  const py::call_guard<py::gil_scoped_release> unlocked;
+
+  module.def(
+      "weight_range",
+      [](const AnyGrasp& grasp, const Eigen::VectorXd& up, double force_cap) {
+        return in_posture<AnyRange>(grasp, up, force_cap,
+                                    [](const auto&... all) { return weight_range(all...); });
+      },
+      py::arg("grasp"), py::arg("up"), py::kw_only(), py::arg("force_cap") = 1e6, unlocked,
+      "The weights that can be held in the posture up (2,) or (3,), whatever the grasp's own. "
+      "Weight\nand bound of each end differ by a part of 1e-7, or by what rounding leaves open.");
+  module.def("deciding", &deciding_contacts, py::arg("grasp"), py::arg("up"), py::arg("dual"),
+             py::kw_only(), py::arg("force_cap") = 1e6, unlocked,
+             "A Deciding for each contact, read off the proof of an end: its dual (3,) or (6,), in "
+             "the\nposture up (2,) or (3,).");
+  module.def(
+      "least_friction",
+      [](const AnyGrasp& grasp, const Eigen::VectorXd& up, double force_cap) {
+        return in_posture<AnyFriction>(grasp, up, force_cap,
+                                       [](const auto&... all) { return least_friction(all...); });
+      },
+      py::arg("grasp"), py::arg("up"), py::kw_only(), py::arg("force_cap") = 1e6, unlocked,
+      "The least friction for the grasp's weight in the posture up (2,) or (3,). Factor and bound\n"
+      "differ by a part of 1e-7, or by what rounding leaves open.");
+  module.def(
+      "capacity",
+      [](const AnyGrasp& any, const Eigen::VectorXd& up, double safety, double force_cap) {
+        return in_posture<AnyCapacity>(
+            any, up, force_cap,
+            [safety](const auto& grasp, const auto& unit_up, const HoldSettings& settings) {
+              return capacity(grasp, unit_up, safety, settings);
+            });
+      },
+      py::arg("grasp"), py::arg("up"), py::arg("safety"), py::kw_only(), py::arg("force_cap") = 1e6,
+      unlocked,
+      "What the gripper can hold in the posture up (2,) or (3,). safety: at least 1, on top of "
+      "the\n"
+      "one that the grasp was made with.");
+  module.def(
+      "with_weight",
+      [](const AnyGrasp& any, double weight) {
+        return like(any, [weight](const auto& grasp) { return with_weight(grasp, weight); });
+      },
+      py::arg("grasp"), py::arg("weight"), "The same contacts on an object of another weight [N].");
+  module.def(
+      "with_friction",
+      [](const AnyGrasp& any, double factor) {
+        return like(any, [factor](const auto& grasp) { return with_friction(grasp, factor); });
+      },
+      py::arg("grasp"), py::arg("factor"),
+      "The same grasp with all frictions and torsions multiplied by a factor >= 0.");
+  module.def(
+      "without_limits",
+      [](const AnyGrasp& any) {
+        return like(any, [](const auto& grasp) { return without_limits(grasp); });
+      },
+      py::arg("grasp"),
+      "The contacts without max_normal alone, the others made to press with nothing, none with a\n"
+      "min_normal: what these can hold once they can hold at any size.");
+}
+
+}  // namespace poise::python
