@@ -1,10 +1,12 @@
 // poise batch: many grasps, a line for each, to be continued after any end.
 #include <fcntl.h>
+#include <pty.h>
 #include <sched.h>
 #include <signal.h>
 #include <spawn.h>
 
 #include <random>
+#include <regex>
 #include <vector>
 
 #include "command_line.hpp"
@@ -75,6 +77,29 @@ class Batch : public CommandLine {
       }
       sched_yield();
     }
+  }
+  /// What a run of the program writes on a terminal, until it ends or has written what `enough`
+  /// finds: then it is ended.
+  static std::string on_a_terminal(std::vector<std::string> arguments, const std::regex& enough) {
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    int terminal = 0;
+    const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+    if (child == 0) {
+      execv(POISE_PROGRAM, argv.data());
+      _exit(127);
+    }
+    std::string written;
+    char some[4096];
+    for (ssize_t size; (size = read(terminal, some, sizeof some)) > 0;) {
+      written.append(some, static_cast<std::size_t>(size));
+      if (std::regex_search(written, enough)) kill(child, SIGKILL);
+    }
+    close(terminal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return written;
   }
   bool there(const std::string& name) const { return fs::exists(folder() / name); }
 };
@@ -268,6 +293,23 @@ TEST_F(Batch, WhatCannotBeContinuedIsRefused) {
   full();
   write("out.jsonl.part", "nonsense\n");
   refused("batch in.jsonl -o out.jsonl --resume", "out.jsonl.part:1:1: is not a record");
+}
+
+TEST_F(Batch, ABarOnATerminalAlone) {
+  write("few.jsonl", grasps(10));
+  const std::string few = folder() / "few.jsonl", out = folder() / "out.jsonl";
+  const std::string end = on_a_terminal({"poise", "batch", few, "-o", out}, std::regex("never"));
+  EXPECT_TRUE(end.ends_with("\r\033[K10 records: 7 answered, 2 unholdable, 1 bad\r\n")) << end;
+  const std::string plain = poise("batch few.jsonl").err;
+  EXPECT_EQ(plain, "10 records: 7 answered, 2 unholdable, 1 bad\n");
+
+  const std::string line = lines(grasps(2))[1] + "\n";
+  std::string text;
+  for (int k = 0; k < 100000; ++k) text += line;  // longer than any bar takes to come
+  write("many.jsonl", text);
+  const std::regex bar(R"(\r\[=* *\] \d+ records, [\d.]+/s, \d+ %, [\dhmins ]+ left\x1b\[K)");
+  const std::string many = folder() / "many.jsonl", other = folder() / "other.jsonl";
+  EXPECT_TRUE(std::regex_search(on_a_terminal({"poise", "batch", many, "-o", other}, bar), bar));
 }
 
 TEST_F(Batch, WhatCannotBeUsedIsRefusedAtOnce) {
