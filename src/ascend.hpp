@@ -32,17 +32,16 @@ T quadratic(const Square<3, T>& M, const Screw<3, T>& x);
 
 /// Near the limit of friction |z| is about |f|², and Π_K(z) has lost digits. Gives the forces back
 /// the digits that they have. False if Newton's method has not come near enough for that.
-bool polish(const Cones<2>& grasp, const Wrench<2>& w, double tolerance, Point<2>& point);
-bool polish(const Cones<3>& grasp, const Wrench<3>& w, double tolerance, Point<3>& point);
-
-inline double sum(const Lane& x) { return x[0] + x[1]; }
-inline Wide sum(const Wide& x) { return x; }
+[[gnu::noinline]] bool polish(const Cones<2>& grasp, const Wrench<2>& w, double tolerance,
+                              Point<2>& point);
+[[gnu::noinline]] bool polish(const Cones<3>& grasp, const Wrench<3>& w, double tolerance,
+                              Point<3>& point);
 
 /// The same number for all contacts of a lane.
 template <class T>
-LaneOf<T> all(const T& x) {
+[[gnu::always_inline]] inline LaneOf<T> all(const T& x) {
   if constexpr (std::is_same_v<T, double>)
-    return Lane{x, x};
+    return x - Lane{};
   else
     return x;
 }
@@ -71,14 +70,6 @@ auto span(const V& y) {
 }
 
 template <int Dim, class T>
-T squared_norm(const Point<Dim, T>& point) {
-  LaneOf<T> sum_{};
-  for (const LaneForces<Dim, T>& lane : point.lanes)
-    for (int k = 0; k < contact_size<Dim>; ++k) sum_ += lane.f[k] * lane.f[k];
-  return sum(sum_);
-}
-
-template <int Dim, class T>
 T lower_bound(const Point<Dim, T>& point) {
   return 2 * (point.value - delta * length<Dim, T>(point.y));
 }
@@ -88,8 +79,9 @@ enum class Rise { none, some, proof };
 /// Goes from y along d, of length 1, as far as a proof that nothing holds needs: `far` is it, if it
 /// is one.
 template <int Dim, class T>
-Rise prove(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim, T>& y,
-           const Screw<Dim, T>& d, double force_cap, Point<Dim, T>& far) {
+[[gnu::noinline]] Rise prove(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w,
+                             const Screw<Dim, T>& y, const Screw<Dim, T>& d, double force_cap,
+                             Point<Dim, T>& far) {
   // Far out, but not so far that rounding in G^T d makes itself felt as a force.
   evaluate<Dim, T>(grasp, w, T(2e-3 / rounding_of<T>) * d, far);
   const T rise = far.residual.dot(d) - delta;
@@ -184,8 +176,10 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
       if (trial == 0 &&
           (point.value - before >= 0.1 * slope || slope <= 4 * rounding * abs(before)))
         break;
-      // Else stop where the slope vanishes: it falls with a, piecewise linearly.
+      // Else stop where the slope vanishes, or in space has fallen by half on a way that rises: it
+      // falls with a, in the plane piecewise linearly.
       if (abs(slope_there) <= (Dim == 2 ? 1e-9 : 1e-2) * slope ||
+          (Dim == 3 && abs(slope_there) <= 0.5 * slope && point.value > before) ||
           most - least <= 4.5 * rounding * most)
         break;
       (slope_there > 0 ? least : most) = a;
@@ -208,6 +202,28 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
     cuts = cut ? cuts + 1 : 0;
   }
   return size<Dim, T>(point.residual) <= 0.5 * delta;
+}
+
+#ifdef __x86_64__
+template <int Dim>
+[[gnu::target("avx2,fma"), gnu::flatten]] bool climb_by_avx2(const Cones<Dim>& grasp,
+                                                             const Wrench<Dim>& w,
+                                                             const Twist<Dim>& start,
+                                                             double force_cap, double rho,
+                                                             Point<Dim>& point, bool rough) {
+  return ascend<Dim, double>(grasp, w, start, force_cap, rho, point, rough);
+}
+#endif
+
+/// ascend() in doubles, with the SIMD instructions that this machine has.
+template <int Dim>
+bool climb(const Cones<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& start, double force_cap,
+           double rho, Point<Dim>& point, bool rough = false) {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return climb_by_avx2<Dim>(grasp, w, start, force_cap, rho, point, rough);
+#endif
+  return ascend<Dim, double>(grasp, w, start, force_cap, rho, point, rough);
 }
 
 }  // namespace poise::dual

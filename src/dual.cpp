@@ -37,7 +37,7 @@ void evaluate_plane(const Cones<2, T>& cones, const Screw<2, T>& w, const Screw<
     else
       n = n > zero ? n : zero;
     const L t = inside ? zt : mu * n;
-    point.lanes[p] = {{zn, zt}, {n, t}};
+    point.lanes[p] = {{zn, zt}, {n, t}, zero};
     const L gx = n * c.nx - t * c.ny, gy = n * c.ny + t * c.nx;
     fx += gx;
     fy += gy;
@@ -219,7 +219,11 @@ Twist<2> cold_start_two(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
   const Lane ux = y[0] + y[2] * c.jx, uy = y[1] + y[2] * c.jy;
   const Lane n = c.nx * ux + c.ny * uy, t = c.nx * uy - c.ny * ux;
   const double x = c.jy[1] - c.jy[0], z = c.jx[0] - c.jx[1];  // from contact 0 to contact 1
-  const Lane dx = Lane{x, -x} / c.share, dz = Lane{z, -z} / c.share;
+  Lane dx{}, dz{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    dx[i] = (i == 0 ? x : -x) / c.share[i];
+    dz[i] = (i == 0 ? z : -z) / c.share[i];
+  }
   const Lane dn = c.nx * dx + c.ny * dz, dt = c.nx * dz - c.ny * dx;
   // mu n -+ t >= 0 of both contacts: alpha >= -value / rate where the rate is positive, <=
   // elsewhere.
@@ -332,11 +336,10 @@ bool maximise<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist<2>
   // A proof that a neighbour cannot be held is too long to start from.
   const bool near = span(start) < 1e8;
   const Twist<2> y = near ? start : cold_start<2>(grasp, w);
-  if (ascend<2, double>(grasp, w, y, force_cap, 0, point)) return true;
+  if (climb<2>(grasp, w, y, force_cap, 0, point)) return true;
   // A pull towards y = 0 gives the sharpest proof.
   Point<2> pulled = point;
-  ascend<2, double>(grasp, w, Twist<2>::Zero(), std::numeric_limits<double>::infinity(), 1e-6,
-                    pulled);
+  climb<2>(grasp, w, Twist<2>::Zero(), std::numeric_limits<double>::infinity(), 1e-6, pulled);
   if (separate(grasp, w, force_cap, pulled, point)) return false;
   if (lower_bound(point) > force_cap * force_cap) return false;
   Point<2, Wide> wide(grasp.size);

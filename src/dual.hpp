@@ -22,8 +22,9 @@ using Square = Eigen::Matrix<T, wrench_size<Dim>, wrench_size<Dim>>;
 
 /// z = Gᵀy and f = Π_K(z) of the contacts of one lane.
 template <int Dim, class T>
-struct LaneForces {
+struct alignas(sizeof(LaneOf<T>)) LaneForces {
   LaneOf<T> z[contact_size<Dim>], f[contact_size<Dim>];
+  LaneOf<T> over;  ///< in space: 1 / |z's tangential part|, or any number where that is 0
 };
 
 /// The dual function at y.
@@ -49,6 +50,15 @@ struct Point {
     return v;
   }
 };
+
+/// |f|^2: the effort.
+template <int Dim, class T>
+T squared_norm(const Point<Dim, T>& point) {
+  LaneOf<T> sum_{};
+  for (const LaneForces<Dim, T>& lane : point.lanes)
+    for (int k = 0; k < contact_size<Dim>; ++k) sum_ += lane.f[k] * lane.f[k];
+  return sum(sum_);
+}
 
 /// The part of a contact's cone to which z projects: f = P z + f0 nearby.
 /// The planar cone {(n, t): |t| <= mu n, lo <= n <= hi} is a trapezoid; z projects to its inside,

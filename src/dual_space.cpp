@@ -10,12 +10,15 @@
 namespace poise::dual {
 namespace {
 
-Lane root(const Lane& x) { return Lane{std::sqrt(x[0]), std::sqrt(x[1])}; }
+[[gnu::always_inline]] inline Lane root(Lane x) {
+  for (std::size_t k = 0; k < lane_size; ++k) x[k] = std::sqrt(x[k]);
+  return x;
+}
 Wide root(const Wide& x) { return sqrt(x); }
 
 /// 1 / |z's tangential part|, or any number where that is 0.
 template <class L>
-L inverse_length(const L& squared) {
+[[gnu::always_inline]] inline L inverse_length(const L& squared) {
   const L tiny = L{} + 1e-280;
   return 1.0 / root(squared > tiny ? squared : tiny);
 }
@@ -54,7 +57,7 @@ void evaluate_space(const Cones<3, T>& cones, const Screw<3, T>& w, const Screw<
       n = n > zero ? n : zero;
     const L kept = inside ? one : c.mu * n * over;  // of the tangential part
     const L fa = kept * za, fb = kept * zb, fs = kept * zs;
-    point.lanes[p] = {{zn, za, zb, zs}, {n, fa, fb, fs}};
+    point.lanes[p] = {{zn, za, zb, zs}, {n, fa, fb, fs}, over};
     const L gx = n * c.n[0] + fa * c.a[0] + fb * c.b[0];
     const L gy = n * c.n[1] + fa * c.a[1] + fb * c.b[1];
     const L gz = n * c.n[2] + fa * c.a[2] + fb * c.b[2];
@@ -67,10 +70,11 @@ void evaluate_space(const Cones<3, T>& cones, const Screw<3, T>& w, const Screw<
     mz += c.r[0] * gy - c.r[1] * gx + moment * c.n[2];
     phi += n * (zn - half * n) + kept * (one - half * kept) * squared;
   }
+  const L all_sums[8] = {fx, fy, fz, mx, my, mz, phi, zero};
+  const auto sums = sums_of(all_sums);
   point.y = y;
-  point.residual << w[0] - sum(fx), w[1] - sum(fy), w[2] - sum(fz), w[3] - sum(mx), w[4] - sum(my),
-      w[5] - sum(mz);
-  point.value = y.dot(w) - sum(phi);
+  for (int k = 0; k < 6; ++k) point.residual[k] = w[k] - sums[static_cast<std::size_t>(k)];
+  point.value = y.dot(w) - sums[6];
 }
 
 /// DΠ of a contact is kappa I + [e_n d] S [e_n d]ᵀ, with d the direction of z's tangential part:
@@ -80,14 +84,13 @@ template <bool limited, class T>
 Square<3, T> curvature_space(const Cones<3, T>& cones, const Point<3, T>& point) {
   using L = LaneOf<T>;
   const L zero{}, one = all(T(1));
-  L sums[21] = {};  // the upper triangle, row by row
+  L sums[24] = {};  // the upper triangle, row by row
   for (std::size_t p = 0; p < cones.lanes.size(); ++p) {
     const ContactLane<3, T>& c = cones.lanes[p];
     const LaneForces<3, T>& at = point.lanes[p];
     const L za = at.z[1], zb = at.z[2], zs = at.z[3], n = at.f[0];
-    const L squared = za * za + zb * zb + zs * zs, over = inverse_length(squared);
-    const L most = c.mu * n;
-    const auto inside = squared * over < most;
+    const L over = at.over, most = c.mu * n;
+    const auto inside = (za * za + zb * zb + zs * zs) * over < most;
     L free = n > zero ? one : zero;  // neither at its least nor at its greatest
     if constexpr (limited) free = n > c.lo ? (n < c.hi ? one : zero) : zero;
     const L kappa = inside ? one : most * over;
@@ -136,10 +139,13 @@ Square<3, T> curvature_space(const Cones<3, T>& cones, const Point<3, T>& point)
     sums[19] += sy * c.n[2] - wy * c.r[2];
     sums[20] += wx * c.r[0] + wy * c.r[1] + soft * c.n[2] * c.n[2];
   }
+  const auto of_all = sums_of(sums);
   Square<3, T> M;
-  int at_sum = 0;
+  std::size_t at_sum = 0;
+#pragma GCC unroll 6
   for (int row = 0; row < 6; ++row)
-    for (int column = row; column < 6; ++column) M(row, column) = sum(sums[at_sum++]);
+#pragma GCC unroll 6
+    for (int column = row; column < 6; ++column) M(row, column) = of_all[at_sum++];
   return M;
 }
 
@@ -184,13 +190,13 @@ void round_to(const Cones<3>& cones, const Wrench<3>& w, const Point<3, Wide>& w
 /// Newton's method alone, from where it converges at once. False if it does not.
 bool finish(const Cones<3, Wide>& cones, const Screw<3, Wide>& w, Point<3, Wide>& point) {
   evaluate<3, Wide>(cones, w, Screw<3, Wide>(point.y), point);
-  Wide error = point.residual.cwiseAbs().maxCoeff();
+  Wide error = span(point.residual);
   for (int step = 0; step < 12; ++step) {
     if (error <= 1e-22 + 1e-29 * span(point.y)) return error <= 0.1 * delta;
     const Screw<3, Wide> y = point.y + newton_step(curvature(cones, point), point.residual);
     evaluate<3, Wide>(cones, w, y, point);
     const Wide before = error;
-    error = point.residual.cwiseAbs().maxCoeff();
+    error = span(point.residual);
     if (!(error <= 0.5 * before)) return error <= 1e-19;
   }
   return error <= 1e-19;
@@ -295,9 +301,9 @@ Screw<3, T> newton_step(const Square<3, T>& M, const Screw<3, T>& r) {
   Screw<3, T> x;
 #pragma GCC unroll 6
   for (int j = 5; j >= 0; --j) {
-    T sum = A[j][6];
+    T sum = A[j][6];  // the newest x is needed last
 #pragma GCC unroll 6
-    for (int k = j + 1; k < 6; ++k) sum -= A[j][k] * x[k];
+    for (int k = 5; k > j; --k) sum -= A[j][k] * x[k];
     x[j] = sum * over[j];
   }
   return x;
@@ -336,9 +342,9 @@ bool sharpen(const ScaledGrasp<3>& grasp, const Wrench<3>& w, double force_cap, 
   // ten times weaker makes only the direction ten times longer.
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Point<3> pulled(grasp.size);
-  ascend<3, double>(grasp, w, Twist<3>::Zero(), infinity, 1e-7, pulled);
+  climb<3>(grasp, w, Twist<3>::Zero(), infinity, 1e-7, pulled);
   const Twist<3> first = pulled.y;
-  ascend<3, double>(grasp, w, Twist<3>(10 * first), infinity, 1e-8, pulled);
+  climb<3>(grasp, w, Twist<3>(10 * first), infinity, 1e-8, pulled);
   for (const Twist<3>& y : {Twist<3>(pulled.y - first), pulled.y}) {
     const double all_of_it = length<3, double>(y);
     if (!(all_of_it > 0) || !prove_along<double>(grasp, w, y / all_of_it, force_cap, pulled))
@@ -358,13 +364,13 @@ Twist<3> start_from(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist
 
 bool approach(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
               double force_cap, Point<3>& point) {
-  if (ascend<3, double>(grasp, w, start_from(grasp, w, start), force_cap, 0, point, true)) {
+  if (climb<3>(grasp, w, start_from(grasp, w, start), force_cap, 0, point, true)) {
     if (span(point.y) < 1e4 * (1 + point.value)) return true;
     // Rounding of a load at the border of what can be held may ask for a very long y.
     constexpr double rho = 1e-13;
     Point<3> pulled(grasp.size);
-    ascend<3, double>(grasp, w, cold_start<3>(grasp, w), std::numeric_limits<double>::infinity(),
-                      rho, pulled);
+    climb<3>(grasp, w, cold_start<3>(grasp, w), std::numeric_limits<double>::infinity(), rho,
+             pulled);
     pulled.residual += rho * pulled.y;
     if (size<3, double>(pulled.residual) <= 0.4 * delta) {
       pulled.value =
@@ -380,7 +386,7 @@ bool approach(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& s
 template <>
 bool maximise<3>(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
                  double force_cap, Point<3>& point) {
-  if (ascend<3, double>(grasp, w, start_from(grasp, w, start), force_cap, 0, point)) return true;
+  if (climb<3>(grasp, w, start_from(grasp, w, start), force_cap, 0, point)) return true;
   if (sharpen(grasp, w, force_cap, point)) return false;
   if (lower_bound(point) > force_cap * force_cap) return false;
   Point<3, Wide> wide(grasp.size);

@@ -99,7 +99,7 @@ Hold<2> solve(const Grasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
   if (scaled.limited)
     for (std::size_t i = 0; i < scaled.size; ++i)
       hold.forces[i].limit = limit_of(grasp.contacts()[i], hold.forces[i].normal, near);
-  hold.effort = square * (effort[0] + effort[1]);
+  hold.effort = square * sum(effort);
   // A long y may ask more for the load itself than for one within the balance tolerance.
   hold.lower_bound = std::min(square * 2 * point.value, hold.effort);
   return hold;

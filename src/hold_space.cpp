@@ -18,30 +18,35 @@ void check(const HoldSettings& settings) {
     throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
 }
 
-/// The force of contact i in newtons.
-ContactForce<3> force_of(const Grasp<3>& grasp, std::size_t i, const dual::Point<3>& point) {
-  const ScaledGrasp<3>& scaled = grasp.scaled();
-  const Contact<3>& contact = grasp.contacts()[i];
-  const ContactLane<3>& c = scaled.lanes[i / lane_size];
-  const dual::LaneForces<3, double>& lane = point.lanes[i / lane_size];
-  const std::size_t k = i % lane_size;
-  const double weight = grasp.object().weight, near = at_limit * weight;
-  const double n = lane.f[0][k], a = lane.f[1][k], b = lane.f[2][k], s = lane.f[3][k];
-  ContactForce<3> force;
-  force.normal = n * c.unit[k];
-  for (int d = 0; d < 3; ++d) force.tangential[d] = weight * (a * c.a[d][k] + b * c.b[d][k]);
-  force.torsion_moment = s * c.unit[k] * c.soft[k] * scaled.length;
-  const bool loaded = force.normal > near;
-  const double beside = std::sqrt(a * a + b * b + s * s), most = c.mu[k] * n;
-  force.friction_used = !loaded ? 0 : most > 0 ? std::min(1.0, beside / most) : 1;
-  force.state = !loaded                              ? ContactState::unloaded
-                : force.friction_used < 1 - at_limit ? ContactState::sticking
-                                                     : ContactState::slipping;
-  force.limit = force.normal >= contact.max_normal - near ? ForceLimit::max
-                : contact.min_normal > 0 && force.normal <= contact.min_normal + near
-                    ? ForceLimit::min
-                    : ForceLimit::none;
-  return force;
+/// The forces of one lane of contacts in newtons, without a branch: which contacts are loaded is
+/// hard to foresee.
+void write_forces(const ContactLane<3>& c, const dual::LaneForces<3, double>& lane,
+                  const ScaledGrasp<3>& scaled, double weight, ContactForce<3>* forces,
+                  std::size_t count) {
+  const Lane zero{}, n = lane.f[0], a = lane.f[1], b = lane.f[2], s = lane.f[3];
+  const Lane normal = n * c.unit, moment = s * c.unit * c.soft * scaled.length;
+  Lane tangential[3];
+  for (int d = 0; d < 3; ++d) tangential[d] = weight * (a * c.a[d] + b * c.b[d]);
+  Lane beside = a * a + b * b + s * s;
+  for (std::size_t k = 0; k < lane_size; ++k) beside[k] = std::sqrt(beside[k]);
+  const Lane share = beside / (c.mu * n);  // 0 / 0 without friction
+  const Lane used = share < 1.0 ? share : zero + 1;
+  const auto loaded = normal > at_limit * weight, slips = used >= 1 - at_limit;
+  const Lane friction_used = loaded ? used : zero;
+  const auto state = (loaded & 1) + (loaded & slips & 1);
+  for (std::size_t k = 0; k < count; ++k)
+    forces[k] = {normal[k],
+                 {tangential[0][k], tangential[1][k], tangential[2][k]},
+                 moment[k],
+                 friction_used[k],
+                 static_cast<ContactState>(state[k]),
+                 ForceLimit::none};
+}
+
+ForceLimit limit_of(const Contact<3>& contact, double normal, double near) {
+  if (normal >= contact.max_normal - near) return ForceLimit::max;
+  return contact.min_normal > 0 && normal <= contact.min_normal + near ? ForceLimit::min
+                                                                       : ForceLimit::none;
 }
 
 Hold<3> solve(const Grasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
@@ -63,11 +68,14 @@ Hold<3> solve(const Grasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
   hold.residual = std::max(point.residual.head<3>().norm(),
                            grasp.radius() > 0 ? point.residual.tail<3>().norm() : 0);
   hold.forces.resize(scaled.size);
-  for (std::size_t i = 0; i < scaled.size; ++i) hold.forces[i] = force_of(grasp, i, point);
-  double effort = 0;
-  for (const dual::LaneForces<3, double>& lane : point.lanes)
-    for (const Lane& f : lane.f) effort += f[0] * f[0] + f[1] * f[1];
-  hold.effort = square * effort;
+  for (std::size_t i = 0; i < scaled.size; i += lane_size)
+    write_forces(scaled.lanes[i / lane_size], point.lanes[i / lane_size], scaled, weight,
+                 &hold.forces[i], std::min(lane_size, scaled.size - i));
+  if (scaled.limited)
+    for (std::size_t i = 0; i < scaled.size; ++i)
+      hold.forces[i].limit =
+          limit_of(grasp.contacts()[i], hold.forces[i].normal, at_limit * weight);
+  hold.effort = square * dual::squared_norm(point);
   // A long y may ask more for the load itself than for one within the balance tolerance.
   hold.lower_bound = std::min(square * 2 * point.value, hold.effort);
   return hold;

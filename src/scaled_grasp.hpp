@@ -4,6 +4,8 @@
 // contact divided by sqrt(share), so that the effort is |f|^2 and the share appears nowhere else.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <type_traits>
 #include <vector>
 
@@ -13,14 +15,58 @@
 
 namespace poise {
 
-/// Contacts are dealt with in lanes: of doubles two at a time, what GCC and Clang turn into SIMD
-/// instructions on every machine; of other numbers one.
-using Lane = double __attribute__((vector_size(16)));
+/// Contacts are dealt with in lanes: of doubles four at a time on machines of which most have SIMD
+/// instructions for four, two elsewhere; of other numbers one.
+#ifdef __x86_64__
+inline constexpr std::size_t lane_size = 4;
+#else
+inline constexpr std::size_t lane_size = 2;
+#endif
+using Lane = double __attribute__((vector_size(8 * lane_size)));
 template <class T>
 using LaneOf = std::conditional_t<std::is_same_v<T, double>, Lane, T>;
 template <class T>
-inline constexpr std::size_t lane_size_of = std::is_same_v<T, double> ? 2 : 1;
-inline constexpr std::size_t lane_size = lane_size_of<double>;
+inline constexpr std::size_t lane_size_of = std::is_same_v<T, double> ? lane_size : 1;
+
+/// The sums of the elements of as many lanes as a lane has elements.
+[[gnu::always_inline]] inline void sum_each(const Lane* lanes, Lane& sums) {
+#ifdef __x86_64__
+  const Lane ab = __builtin_shufflevector(lanes[0], lanes[1], 0, 4, 2, 6) +
+                  __builtin_shufflevector(lanes[0], lanes[1], 1, 5, 3, 7);
+  const Lane cd = __builtin_shufflevector(lanes[2], lanes[3], 0, 4, 2, 6) +
+                  __builtin_shufflevector(lanes[2], lanes[3], 1, 5, 3, 7);
+  sums = __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+#else
+  sums = Lane{lanes[0][0] + lanes[0][1], lanes[1][0] + lanes[1][1]};
+#endif
+}
+/// The sums of each of n lanes.
+template <std::size_t n>
+[[gnu::always_inline]] inline std::array<double, n> sums_of(const Lane (&lanes)[n]) {
+  static_assert(n % lane_size == 0);
+  std::array<double, n> sums;
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < n; i += lane_size) {
+    Lane some;
+    sum_each(lanes + i, some);
+#pragma GCC unroll 4
+    for (std::size_t k = 0; k < lane_size; ++k) sums[i + k] = some[k];
+  }
+  return sums;
+}
+template <std::size_t n>
+std::array<Wide, n> sums_of(const Wide (&of_one)[n]) {
+  std::array<Wide, n> sums;
+  std::copy_n(of_one, n, sums.begin());
+  return sums;
+}
+/// The sum of a lane's elements.
+inline double sum(const Lane& x) {
+  double all_of_it = x[0] + x[1];
+  for (std::size_t k = 2; k < lane_size; k += 2) all_of_it += x[k] + x[k + 1];
+  return all_of_it;
+}
+inline Wide sum(const Wide& x) { return x; }
 
 /// Element k of a lane.
 inline double element(const Lane& lane, std::size_t k) { return lane[k]; }
@@ -30,12 +76,12 @@ T element(const T& lane, std::size_t /*only one*/) {
 }
 
 /// As many contacts as a lane holds; an odd last one is filled up by a contact that carries
-/// nothing.
+/// nothing. Aligned for what works on all of a lane at once.
 template <int Dim, class T = double>
 struct ContactLane;
 
 template <class T>
-struct ContactLane<2, T> {
+struct alignas(sizeof(LaneOf<T>)) ContactLane<2, T> {
   LaneOf<T> nx, ny;  ///< inward normal, times sqrt(share)
   LaneOf<T> jx, jy;  ///< velocity of the contact point: the object turns about the com at 1 rad/s
   LaneOf<T> share;
@@ -46,7 +92,7 @@ struct ContactLane<2, T> {
 
 /// In space the friction cone is round in (t1, t2, m / gamma'), with gamma' = gamma / (mu L).
 template <class T>
-struct ContactLane<3, T> {
+struct alignas(sizeof(LaneOf<T>)) ContactLane<3, T> {
   LaneOf<T> n[3], a[3], b[3];  ///< inward normal and tangents, times sqrt(share)
   LaneOf<T> r[3];              ///< from the com to the contact
   LaneOf<T> soft;              ///< gamma'; 0 for a hard finger

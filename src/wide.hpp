@@ -51,8 +51,8 @@ class Wide {
     return a.high_ < b.high_ || (a.high_ == b.high_ && a.low_ < b.low_);
   }
   friend bool operator>(const Wide& a, const Wide& b) { return b < a; }
-  friend bool operator<=(const Wide& a, const Wide& b) { return !(b < a); }
-  friend bool operator>=(const Wide& a, const Wide& b) { return !(a < b); }
+  friend bool operator<=(const Wide& a, const Wide& b) { return a < b || a == b; }
+  friend bool operator>=(const Wide& a, const Wide& b) { return b <= a; }
   friend bool operator==(const Wide& a, const Wide& b) {
     return a.high_ == b.high_ && a.low_ == b.low_;
   }

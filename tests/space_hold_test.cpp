@@ -156,6 +156,29 @@ RC_GTEST_PROP(SpaceHold, OfAPlanarGraspIsThatOfThePlane, ()) {
   if (moderate(held, found)) RC_ASSERT(close(found.effort, planar.effort, 1e-9L));
 }
 
+TEST(SpaceHold, OfWhatCannotBeHeldIsANumber) {
+  // Newton's method runs away here: a frictionless and a weak pair, each in two halves.
+  Held held{{1, {0, 0, 0}}, {}};
+  for (const double x : {-std::sqrt(0.75), std::sqrt(0.75)})
+    for (const double z : {0.3, -0.3}) {
+      Contact<3> half = contact({x, 0.5, z}, {-x, -0.5, 0}, 0);
+      half.min_normal = 0.153;
+      half.max_normal = 1.069;
+      half.share = 0.498;
+      held.contacts.push_back(half);
+      half.friction = 0.232;
+      half.min_normal = 0;
+      half.max_normal = 0.054;
+      half.share = 0.5;
+      held.contacts.push_back(half);
+    }
+  const Grasp<3> grasp = held.grasp();
+  for (int k = -3141; k <= 3141; ++k) {
+    const Vector<3> up(std::sin(1e-3 * k), std::cos(1e-3 * k), 0);
+    ASSERT_EQ(fault(grasp, up, hold(grasp, up)), "") << k;
+  }
+}
+
 TEST(SpaceHold, OfASqueezedBoxIsKnown) {
   const Grasp<3> grasp = squeezed(0.5).grasp();
   const Vector<3> up(0, 0.6, 0.8);
