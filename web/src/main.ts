@@ -203,7 +203,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
     drawSpatialMinima(find('minima'), this.model);
     const at = `up (${up.map((part) => fixed(part, 3)).join(', ')})`;
     drawWords(at, answers.hold, whyInSpace(this.model, this.rest.at(answers.hold)), problem, this.model.warnings);
-    document.body.dataset.settled = outdated ? '' : '1';
+    document.body.dataset.settled = outdated || this.model.turning ? '' : '1';
   }
 }
 
@@ -305,7 +305,10 @@ function follow(result: Result, name: string): string {
 /** More than is ever read is not needed to refuse it. */
 const most = 2 ** 20 + 8;
 const openFile = async (file: File | undefined) => {
-  if (file) open(new Uint8Array(await (file.size > most && !file.name.endsWith('.json') ? file.slice(0, most) : file).arrayBuffer()), file.name);
+  if (!file) return;
+  document.body.dataset.opening = '1';
+  open(new Uint8Array(await (file.size > most && !file.name.endsWith('.json') ? file.slice(0, most) : file).arrayBuffer()), file.name);
+  document.body.dataset.opening = '';
 };
 
 async function openLink(): Promise<boolean> {

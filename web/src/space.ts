@@ -90,6 +90,11 @@ export class SpatialModel {
     return this.mesh ? [] : this.answers.check.warnings;
   }
 
+  /** On its way to a posture. */
+  get turning(): boolean {
+    return this.moving !== 0;
+  }
+
   /** The direction of the object that points up. */
   get up(): Vec {
     return turnedBack(this.orientation, up);

@@ -67,7 +67,6 @@ async function changes(what, act) {
   const before = await seen();
   await act();
   await frame(page);
-  await page.waitForTimeout(400);  // the turn is seen to turn
   await settled(page);
   await frame(page);
   const after = await seen();
@@ -104,7 +103,8 @@ await changes('a drag on the sphere', async () => {
   await page.mouse.up();
 });
 await page.locator('#minima button').first().click();
-await page.waitForTimeout(600);
+await frame(page);
+await settled(page);
 expect((await page.textContent('#why')).includes('needs less'), 'it says that none needs less', await page.textContent('#why'));
 await page.check('#certificate');
 await frame(page);
@@ -169,12 +169,12 @@ const drop = async (name, bytes) => {
     data.items.add(new File([Uint8Array.from(content)], file));
     window.dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));
   }, [name, [...bytes]]);
-  await page.waitForTimeout(60);
+  await page.waitForSelector('body[data-opening=""]');
   await frame(page);
+  await settled(page);
 };
 const best = poise('best', 'bottle.yaml', '--json').stdout;
 await drop('best.json', Buffer.from(best));
-await page.waitForTimeout(400);
 expect((await page.textContent('#problem')) === '', 'a result of this grasp', await page.textContent('#problem'));
 expect((await verdict(page)).includes(`force norm √V ${four(JSON.parse(best).best.force_norm)} N`), 'its posture', await verdict(page));
 await drop('other.json', readFileSync(`${root}build/fixtures/box-soft-jaws.best.json`));
@@ -195,7 +195,6 @@ const bad = {
   'large.yaml': `# ${'x'.repeat(2 ** 20)}\n`,
   'twice.json': '{"poise": 1, "dimension": 2, "dimension": 3}',
 };
-await page.waitForTimeout(400);
 const state = await seen();
 for (const [name, text] of Object.entries(bad)) {
   writeFileSync(`${out}files/${name}`, text);
