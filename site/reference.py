@@ -50,7 +50,7 @@ def prose(text: str, depth: str) -> str:
 
 def paragraphs(text: str, depth: str) -> str:
     """Each paragraph, parameter and exception by itself; what is set in is a formula."""
-    blocks = re.split(r"\n\n|\n(?=@)", text)
+    blocks = re.split(r"\n\n|\n(?=@|Raises |[a-z_]+(?:, [a-z_]+)*: )", text)
     return "\n\n".join(f"<p>{prose(block, depth)}</p>" for block in blocks if block) + "\n\n"
 
 
