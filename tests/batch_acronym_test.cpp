@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "acronym_sample.hpp"
 #include "command_line.hpp"
 
 namespace poise {
@@ -12,52 +13,9 @@ namespace {
 class BatchOfAcronym : public CommandLine {
  protected:
   BatchOfAcronym() {
-    fs::create_directories(folder() / "meshes/Box");
-    // A box of 40 x 80 x 60 mm about the origin.
-    std::string obj;
-    for (int k = 0; k < 8; ++k) {
-      std::ostringstream vertex;
-      vertex << "v " << (k & 1 ? 20 : -20) << ' ' << (k & 2 ? 40 : -40) << ' ' << (k & 4 ? 30 : -30)
-             << '\n';
-      obj += vertex.str();
-    }
-    obj += "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
-    write("meshes/Box/box.obj", obj);
-    write_h5("one.h5", {0, 0.005, 0.3, -0.01});  // at 0.3 m the hand misses
-    write_h5("two.h5", {0.002, 0.3, 0.004});
-  }
-
-  /// Hands that come along -z, their pads at this y.
-  void write_h5(const std::string& name, const std::vector<double>& ys) const {
-    const H5::H5File file((folder() / name).string(), H5F_ACC_TRUNC);
-    for (const char* group :
-         {"/object", "/gripper", "/grasps", "/grasps/qualities", "/grasps/qualities/flex"})
-      file.createGroup(group);
-    const auto put = [&](const char* path, const std::vector<hsize_t>& size,
-                         const std::vector<double>& values) {
-      const H5::DataSpace space = size.empty()
-                                      ? H5::DataSpace(H5S_SCALAR)
-                                      : H5::DataSpace(static_cast<int>(size.size()), size.data());
-      file.createDataSet(path, H5::PredType::NATIVE_DOUBLE, space)
-          .write(values.data(), H5::PredType::NATIVE_DOUBLE);
-    };
-    const auto text = [&](const char* path, const char* words) {
-      const H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);
-      file.createDataSet(path, type, H5::DataSpace(H5S_SCALAR)).write(&words, type);
-    };
-    text("/object/file", "meshes/Box/box.obj");
-    text("/gripper/type", "panda");
-    put("/object/scale", {}, {0.001});
-    put("/object/mass", {}, {0.1});
-    put("/object/friction", {}, {0.7});
-    put("/object/com", {3}, {0, 0, 0.004});
-    std::vector<double> transforms, held;
-    for (const double y : ys) {
-      transforms.insert(transforms.end(), {1, 0, 0, 0, 0, -1, 0, y, 0, 0, -1, 0.089, 0, 0, 0, 1});
-      held.push_back(1);
-    }
-    put("/grasps/transforms", {ys.size(), 4, 4}, transforms);
-    put("/grasps/qualities/flex/object_in_gripper", {ys.size()}, held);
+    write_acronym_mesh(folder());
+    write_acronym(folder() / "one.h5", {0, 0.005, 0.3, -0.01});  // at 0.3 m the hand misses
+    write_acronym(folder() / "two.h5", {0.002, 0.3, 0.004});
   }
 
   /// Its records, as `poise import` and `poise best` have them.

@@ -1,4 +1,4 @@
-// The listings of the README and of the documentation, as a reader would try them.
+// What the documentation claims, beside its listings (tests/docs).
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -11,8 +11,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include "files/grasp_file.hpp"
 
 namespace poise {
 namespace {
@@ -52,15 +50,6 @@ std::vector<Listing> listings(const fs::path& page) {
   return found;
 }
 
-/// Those of the README, then those of docs/.
-std::vector<Listing> all_listings() {
-  std::vector<Listing> all = listings(root / "README.md");
-  for (const auto& page : fs::directory_iterator(root / "docs"))
-    if (page.path().extension() == ".md")
-      for (Listing& listing : listings(page.path())) all.push_back(std::move(listing));
-  return all;
-}
-
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
   for (std::size_t at = text.find(what); at != std::string::npos;
        at = text.find(what, at + by.size()))
@@ -80,51 +69,6 @@ std::string output(const std::string& command) {
     text.append(buffer.data(), n);
   pclose(pipe);
   return text;
-}
-
-TEST(Readme, CommandsPrintWhatItSays) {
-  int commands = 0;
-  for (const Listing& listing : all_listings()) {
-    if (listing.language != "console") continue;
-    std::istringstream lines(listing.text);
-    std::string printed;
-    for (std::string line; std::getline(lines, line);) {
-      const bool command = line.starts_with("$ ");
-      printed += command ? line + '\n' + output(line.substr(2)) : "";
-      commands += command ? 1 : 0;
-    }
-    EXPECT_EQ(printed, listing.text) << listing.place;
-  }
-  EXPECT_GE(commands, 4);
-}
-
-TEST(Readme, ProgramPrintsWhatItSays) {
-  std::string printed;
-  for (const Listing& listing : listings(root / "README.md")) {
-    if (listing.language == "cpp") printed = output("'" POISE_README_PROGRAM "'");
-    if (listing.language != "text") continue;
-    EXPECT_EQ(printed, listing.text) << listing.place;
-  }
-  EXPECT_NE(printed, "");
-}
-
-TEST(Readme, GraspFileIsTheExample) {
-  for (const Listing& listing : listings(root / "README.md")) {
-    if (listing.language != "yaml") continue;
-    EXPECT_EQ(listing.text, contents(root / "examples/l-part.yaml")) << listing.place;
-  }
-}
-
-TEST(Documentation, GraspFilesLoad) {
-  int files = 0;
-  for (const Listing& listing : all_listings()) {
-    const bool yaml = listing.language == "yaml" && listing.text.starts_with("poise:");
-    const bool json = listing.language == "json" && listing.text.find("\"poise\":") < 10;
-    if (!yaml && !json) continue;
-    ++files;
-    EXPECT_NO_THROW((yaml ? grasp_from_yaml : grasp_from_json)(listing.text, listing.place));
-  }
-  EXPECT_GE(files, 4);
 }
 
 /// The keys of a JSON document, but for a shape, which is told as in a grasp file.

@@ -99,7 +99,8 @@ void add_planar(py::module_& module) {
                     to_string(posture.manner), to_string(posture.optimum.kind));
       });
 
-  py::class_<BestPosture>(module, "BestPosture", "The posture in which the fingers press least.")
+  py::class_<BestPosture>(module, "BestPosture",
+                          "The best posture of a planar grasp, the other minima, and their proof.")
       .def_readonly("curve", &BestPosture::curve, "With the proof: its arcs and unholdable arcs.")
       .def_readonly("minima", &BestPosture::minima,
                     "In the order of the curve; the first is the best.")
@@ -110,9 +111,9 @@ void add_planar(py::module_& module) {
       .def_readonly("lower_bound", &BestPosture::lower_bound,
                     "On the effort in the whole domain, by the arcs' y [N^2].")
       .def_property_readonly("optimal", &BestPosture::optimal,
-                             "Whether no posture of the domain needs less than the best, or, where "
-                             "there is none, none\nholds: False only where rounding left postures "
-                             "undecided that might.")
+                             "Whether no posture of the domain needs less than the best, as "
+                             "lower_bound proves, or,\nwhere there is none, none holds: False only "
+                             "where rounding hid what is there.")
       .def_property_readonly("holdable", &BestPosture::holdable)
       .def_property_readonly(
           "best", [](const BestPosture& best) { return best.holdable() ? &best.best() : nullptr; },
@@ -157,8 +158,9 @@ void add_spatial(py::module_& module) {
                      : py::str("Cut(y={}, scenario {})").format(shown(cut.y), cut.scenario);
       });
 
-  py::class_<BestSpatialPosture>(module, "BestSpatialPosture",
-                                 "The posture in which the fingers press least, certified.")
+  py::class_<BestSpatialPosture>(
+      module, "BestSpatialPosture",
+      "The best posture of a spatial grasp, the other minima that were found, and its certificate.")
       .def_readonly("status", &BestSpatialPosture::status)
       .def_readonly("best", &BestSpatialPosture::best,
                     "The best posture; None where nothing holdable was found.")
@@ -171,9 +173,10 @@ void add_spatial(py::module_& module) {
                              "The lowest of the minima that is pinched and inside the domain and "
                              "the holdable set, or None.")
       .def_readonly("lower_bound", &BestSpatialPosture::lower_bound,
-                    "On the effort in the whole domain [N^2]: no x with |x| > 1 satisfies all cuts "
-                    "with\n2 (y . w(x) - phi(G^T y)) <= lower_bound. Where unholdable, above the "
-                    "square of the force cap.")
+                    "On the effort in the whole domain [N^2]: no unit vector x satisfies all cuts "
+                    "with\n2 (y . w(x) - phi(G^T y)) <= lower_bound, or it is no more than the "
+                    "square of the greatest\nweight over the sum of shares. Where unholdable, "
+                    "above the square of the force cap.")
       .def_readonly("relative_gap", &BestSpatialPosture::relative_gap,
                     "(effort - lower_bound) / effort; 0 where there is no best.")
       .def_readonly("cuts", &BestSpatialPosture::cuts, "The certificate.")

@@ -68,7 +68,7 @@ void add_types(py::module_& module) {
   py::class_<Arc>(module, "Arc",
                   "Postures in which every contact keeps its part of the friction cone: there the "
                   "forces and\ny are affine in (cos theta, sin theta), and the effort is a "
-                  "trigonometric polynomial.")
+                  "trigonometric polynomial of degree 2.")
       .def_readonly("from_", &Arc::from, "[rad], closed")
       .def_readonly("to", &Arc::to, "[rad], closed")
       .def_readonly("V", &Arc::V, "Effort [N^2].")

@@ -18,6 +18,7 @@ struct PlanarPosture {
   bool two_slipping{false};  ///< whether edges_meet was asked for
 };
 
+/// The best posture of a planar grasp, the other minima, and their proof.
 struct BestPosture {
   PostureCurve curve;                  ///< with the proof: its arcs and unholdable arcs
   std::vector<PlanarPosture> minima;   ///< in the order of the curve; the first is the best
@@ -30,8 +31,11 @@ struct BestPosture {
   bool optimal() const {
     return holdable() ? lower_bound >= (1 - 1e-6) * best().hold.effort : curve.undecided.empty();
   }
+  /// Whether the object can be held in any posture of the domain.
   bool holdable() const { return !minima.empty(); }
+  /// The first of the minima. Only where holdable().
   const PlanarPosture& best() const { return minima.front(); }
+  /// The lowest interior minimum that is pinched; null where there is none.
   const PlanarPosture* best_pinched() const { return pinched ? &minima[*pinched] : nullptr; }
 };
 

@@ -16,6 +16,7 @@ struct Tilt {
   double most{0};  ///< [rad], 0 to pi/2
 };
 
+/// What to search, and how far.
 struct SpatialSettings {
   double gap{1e-6};          ///< wanted: (effort - lower_bound) / effort of the best, > 0
   int max_holds{2000};       ///< holds to spend on the certificate
@@ -26,19 +27,23 @@ struct SpatialSettings {
   int starts{64};
 };
 
+/// How sure the best posture is.
 enum class Status {
   optimal,     ///< the best posture is within the wanted gap
   gap,         ///< it is not, or nothing holdable was found and that nothing is was not proven
   unholdable,  ///< proven: no posture of the domain can be held
 };
+/// The name of the value: "optimal".
 const char* to_string(Status status);
 
+/// A posture in space, with its hold.
 struct SpatialPosture {
   Vector<3> up;  ///< unit vector, object frame
   Hold<3> hold;  ///< of the scenario that decides
   Manner manner{Manner::resting};
   std::size_t scenario{0};               ///< the one that needs the greatest effort
   std::vector<double> scenario_efforts;  ///< [N^2]
+  /// V of the hold [N^2].
   double effort() const { return hold.effort; }
 };
 
@@ -51,13 +56,15 @@ struct Cut {
   std::optional<Vector<3>> n;  ///< n . x <= 0 in the whole domain; then y and scenario say nothing
 };
 
+/// The best posture of a spatial grasp, the other minima that were found, and its certificate.
 struct BestSpatialPosture {
   Status status{Status::gap};
   std::optional<SpatialPosture> best;
   /// Local minima over the domain, best first, found by descent from many starts: not proven
   /// complete.
   std::vector<SpatialPosture> minima;
-  /// The lowest of the minima that is pinched and inside the domain and the holdable set.
+  /// The lowest of the minima that is pinched and inside the domain and the holdable set; null
+  /// where there is none.
   const SpatialPosture* best_pinched() const { return pinched ? &minima[*pinched] : nullptr; }
   std::optional<std::size_t> pinched;
   /// On the effort in the whole domain [N^2]: no unit vector x satisfies all cuts with

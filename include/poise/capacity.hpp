@@ -75,15 +75,18 @@ struct Capacity {
   LeastFriction<Dim> friction;
   Hold<Dim> safe;  ///< of the grasp's weight, with all frictions and torsions divided by the safety
 };
+
+/// The greatest weight, the least friction, and the forces to command, with up = `up` (unit vector,
+/// object frame).
 /// @param safety  at least 1, on top of the one that the grasp was made with
 template <int Dim>
 Capacity<Dim> capacity(const Grasp<Dim>& grasp, const Vector<Dim>& up, double safety,
                        const HoldSettings& settings = {});
 
-/// The same contacts on an object of another weight [N], and with all frictions and torsions
-/// multiplied by a factor >= 0.
+/// The same contacts on an object of another weight [N].
 template <int Dim>
 Grasp<Dim> with_weight(const Grasp<Dim>& grasp, double weight);
+/// The same grasp with all frictions and torsions multiplied by a factor >= 0.
 template <int Dim>
 Grasp<Dim> with_friction(const Grasp<Dim>& grasp, double factor);
 /// The contacts without max_normal alone, the others made to press with nothing, none with a

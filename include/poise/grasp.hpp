@@ -14,6 +14,7 @@ namespace poise {
 /// A grasp that has no meaning: which field is wrong, and what would be right.
 class InvalidGrasp : public std::invalid_argument {
  public:
+  /// what() is "path: problem".
   InvalidGrasp(const std::string& path, const std::string& problem)
       : std::invalid_argument(path + ": " + problem), path_(path), problem_(problem) {}
   const std::string& path() const noexcept { return path_; }        ///< "contacts[1].friction"
@@ -36,6 +37,7 @@ class Grasp {
   ///         or there are no contacts.
   Grasp(const Object<Dim>& object, std::vector<Contact<Dim>> contacts, double safety = 1);
 
+  /// What is held.
   const Object<Dim>& object() const { return object_; }
   /// The contacts with unit normals, friction already divided by the safety factor, fingers named.
   const std::vector<Contact<Dim>>& contacts() const { return contacts_; }
@@ -48,6 +50,7 @@ class Grasp {
   /// The wrench that the contacts must supply in the posture `up` (unit vector, object frame):
   /// weight * up through the centre of mass, about the origin. [N, N m]
   Wrench<Dim> load(const Vector<Dim>& up) const;
+  /// For the solver.
   const ScaledGrasp<Dim>& scaled() const { return *scaled_; }
 
  private:

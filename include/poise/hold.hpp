@@ -10,6 +10,7 @@ namespace poise {
 enum class ContactState : unsigned char { unloaded, sticking, slipping };
 /// Which limit of its normal force a contact is at, within 1e-9 of the weight.
 enum class ForceLimit : unsigned char { none, min, max };
+/// The name of the value: "slipping".
 const char* to_string(ContactState state);
 const char* to_string(ForceLimit limit);
 
@@ -17,7 +18,7 @@ const char* to_string(ForceLimit limit);
 template <int Dim>
 struct ContactForce;
 
-/// In the contact frame.
+/// In the plane, in the contact frame.
 template <>
 struct ContactForce<2> {
   double normal;      ///< along the inward normal [N], >= 0
@@ -29,6 +30,7 @@ struct ContactForce<2> {
   ForceLimit limit;
 };
 
+/// In space: the tangential force is a vector in the object frame.
 template <>
 struct ContactForce<3> {
   double normal;          ///< along the inward normal [N], >= 0
@@ -41,6 +43,7 @@ struct ContactForce<3> {
   ForceLimit limit;
 };
 
+/// What still counts as a hold.
 struct HoldSettings {
   double force_cap{1e6};  ///< [weights]: a load that needs a greater force norm is unholdable
 };

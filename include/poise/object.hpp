@@ -24,6 +24,7 @@ using Twist = Eigen::Matrix<double, wrench_size<Dim>, 1>;
 /// Standard gravity [m/s^2]: weight = mass * standard_gravity.
 inline constexpr double standard_gravity = 9.80665;
 
+/// A rigid body of which only the weight and the centre of mass matter.
 template <int Dim>
 struct Object {
   double weight{1};                       ///< [N], > 0

@@ -38,6 +38,7 @@ enum class Manner {
   cradled,  ///< the centre of mass lies in the fork of the fingers
   pinched,  ///< neither: the fingers hold it by friction
 };
+/// The name of the value: "pinched".
 const char* to_string(Manner manner);
 
 }  // namespace poise

@@ -12,6 +12,7 @@ namespace poise {
 /// c0 + cos1 cos(theta) + sin1 sin(theta)
 struct Harmonic1 {
   double c0{0}, cos1{0}, sin1{0};
+  /// The value at theta [rad].
   double operator()(double theta) const {
     return c0 + cos1 * std::cos(theta) + sin1 * std::sin(theta);
   }
@@ -20,12 +21,15 @@ struct Harmonic1 {
 /// Harmonic1 + cos2 cos(2 theta) + sin2 sin(2 theta)
 struct Harmonic2 {
   double c0{0}, cos1{0}, sin1{0}, cos2{0}, sin2{0};
+  /// The value at theta [rad].
   double operator()(double theta) const { return at(std::cos(theta), std::sin(theta)); }
+  /// The derivative at theta [rad].
   double slope(double theta) const { return slope_at(std::cos(theta), std::sin(theta)); }
-  /// The same from the cosine and sine of theta.
+  /// The value, from the cosine and sine of theta.
   double at(double c, double s) const {
     return c0 + cos1 * c + sin1 * s + cos2 * (c * c - s * s) + sin2 * 2 * s * c;
   }
+  /// The derivative, from the cosine and sine of theta.
   double slope_at(double c, double s) const {
     return sin1 * c - cos1 * s + 2 * (sin2 * (c * c - s * s) - cos2 * 2 * s * c);
   }
@@ -60,6 +64,7 @@ enum class Kind {
   kink,      ///< V has a corner
   smooth,
 };
+/// The name of the value: "kink".
 const char* to_string(Kind kind);
 
 /// A local minimum or maximum of V over the domain's holdable postures.
@@ -86,6 +91,7 @@ struct PostureCurve {
   std::vector<Optimum> optima;
 };
 
+/// Which postures to go through, and what still counts as a hold.
 struct CurveSettings {
   Domain domain{Domain::all};
   double force_cap{1e6};  ///< [weights]

@@ -16,6 +16,7 @@ class SmallVector {
 
  public:
   SmallVector() : size_(0) {}
+  /// So many elements, unset.
   explicit SmallVector(std::size_t size) { resize(size); }
   SmallVector(const SmallVector& other) : size_(other.size_), large_(other.large_) { copy(other); }
   SmallVector(SmallVector&& other) noexcept : size_(other.size_), large_(std::move(other.large_)) {
@@ -40,14 +41,20 @@ class SmallVector {
     size_ = size;
     if (size > N) large_.resize(size);
   }
+  /// How many elements there are.
   std::size_t size() const { return size_; }
+  /// Whether there are none.
   bool empty() const { return size_ == 0; }
+  /// The first element; the others follow it.
   T* data() { return size_ > N ? large_.data() : small_.data(); }
   const T* data() const { return size_ > N ? large_.data() : small_.data(); }
+  /// The first element.
   T* begin() { return data(); }
-  T* end() { return data() + size_; }
   const T* begin() const { return data(); }
+  /// Behind the last element.
+  T* end() { return data() + size_; }
   const T* end() const { return data() + size_; }
+  /// An element, from 0; not checked.
   T& operator[](std::size_t i) { return data()[i]; }
   const T& operator[](std::size_t i) const { return data()[i]; }
 

@@ -46,9 +46,9 @@ class Kind(enum.Enum):
 
 
 class Status(enum.Enum):
-    """Of the best posture in space."""
+    """How sure the best posture is."""
 
-    optimal = "optimal"  #: it is within the wanted gap
+    optimal = "optimal"  #: the best posture is within the wanted gap
     gap = "gap"  #: it is not, or nothing holdable was found and that nothing is was not proven
     unholdable = "unholdable"  #: proven: no posture of the domain can be held
 

@@ -1,0 +1,150 @@
+"""The pages and the reference, as far as they can be checked without building the site."""
+
+import re
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "site"))
+
+import headers  # noqa: E402
+import hypertext  # noqa: E402
+import reference  # noqa: E402
+
+
+# What Python says otherwise, with shapes, None and its own names.
+OWN_WORDS = {
+    "Arc.first_state",
+    "Arc.y",
+    "BestPosture.best",
+    "BestPosture.best_pinched",
+    "BestPosture.pinched",
+    "BestPosture.worst",
+    "BestSpatialPosture.best_pinched",
+    "Contact",
+    "ContactForce.friction_used",
+    "ContactForce.tangential",
+    "ContactForce.torsion_moment",
+    "Cut.n",
+    "Cut.y",
+    "FingerForce.force",
+    "Grasp",
+    "Grasp.contacts",
+    "Grasp.finger_of",
+    "Grasp.load",
+    "Grasp.object",
+    "Harmonic2.slope",
+    "Hold.dual",
+    "Hold.forces",
+    "Object",
+    "Optimum.from_",
+    "PlanarPosture.edges_meet",
+    "PostureCurve.holdable",
+    "PostureCurve.optima",
+    "PostureCurve.states",
+    "PostureCurve.undecided",
+    "SpatialPosture.scenario",
+    "SpatialPosture.up",
+    "Tilt",
+    "UnholdableArc",
+    "angle_of",
+    "best_posture",
+    "cradled",
+    "cradled_wedge",
+    "finger_forces",
+    "grasp_matrix",
+    "hold",
+    "manner",
+    "posture_curve",
+    "reason",
+    "smallest_turn",
+    "tangents",
+    "up_at",
+}
+
+
+def plain(text):
+    return " ".join(re.findall(r"[^\W_]+|[^\w\s.`]", text)).lower()
+
+
+class Pages(unittest.TestCase):
+    def test_links(self):
+        self.assertEqual([dead for page in hypertext.pages() for dead in hypertext.dead_links(page)], [])
+
+    def test_navigation(self):
+        navigation = (ROOT / "site/.vitepress/config.mjs").read_text(encoding="utf-8")
+        for page in (ROOT / "docs").glob("*.md"):
+            if page.stem != "index":
+                self.assertIn(f"link: '/{page.stem}'", navigation)
+
+
+class Reference(unittest.TestCase):
+    def test_everything_has_its_comment(self):
+        pages = reference.cpp_pages()
+        self.assertEqual(list(pages), ["index", *reference.reading_order()])
+
+    def test_names_are_those_of_the_module(self):
+        python = reference.Python()
+        only_here = {name for name in python.stub if name in python.module.__all__} - set(python.places)
+        self.assertEqual(only_here, {"Acronym", "Holds", "answer_record", "best_many", "hold_many"})
+        text = python.page()
+        for name in python.module.__all__:
+            self.assertEqual(len(re.findall(rf"^### {name}$", text, re.MULTILINE)), 1, name)
+
+    def test_docstrings_are_the_comments_of_the_headers(self):
+        twins = list(reference.Python().twins())
+        self.assertGreater(len(twins), 100)
+        own = {name for name, words, comment in twins if plain(words) != plain(comment)}
+        self.assertEqual(own, OWN_WORDS)
+
+    def test_all_of_a_header_is_read(self):
+        """Its names found by another way: what begins in the first column."""
+        for file in reference.HEADERS.glob("*.hpp"):
+            plain = re.sub(r"//.*", "", file.read_text(encoding="utf-8"))
+            read = {each.name.split("<")[0] for each in headers.read(file).declarations}
+            found = {
+                name
+                for pattern in [
+                    r"^(?:struct|class|enum class) (\w+)",
+                    r"^using (\w+)",
+                    r"^(?=\w)[\w:<>,& *]+?[ *&](\w+)\(",
+                    r"^inline constexpr \w+ (\w+)",
+                ]
+                for name in re.findall(pattern, plain, re.MULTILINE)
+            }
+            self.assertEqual(read, found, file.name)
+
+    def test_damage_is_seen(self):
+        whole = (reference.HEADERS / "grasp.hpp").read_text(encoding="utf-8")
+        for damaged in [
+            whole.replace("class Grasp {", "class Grasp { (", 1),
+            whole.replace("}  // namespace poise", "}"),
+            whole.replace("#pragma once\n", "#pragma once\n#define X 1\n"),
+            whole.replace("/// An object and its contacts", "\n/// Lost.\n\n/// An object and its contacts"),
+        ]:
+            self.assertNotEqual(damaged, whole)
+            with self.assertRaises(headers.Unread):
+                headers.parse("grasp", damaged)
+        silent = whole.replace("  /// What is held.\n", "")
+        self.assertEqual(
+            headers.silent(headers.parse("grasp", silent)),
+            ["grasp.hpp:40: Grasp::object has no comment"],
+        )
+
+
+class Hypertext(unittest.TestCase):
+    def test_anchors_are_those_of_github(self):
+        text = "# A `b` c, d!\n## A b c d\n```\n# no\n```\n### Ω and 2×2 [x](y.md)\n"
+        self.assertEqual(hypertext.anchors(text), ["a-b-c-d", "a-b-c-d-1", "ω-and-22-x"])
+
+    def test_links_in_listings_are_none(self):
+        text = "[a](b.md) `[c](d.md)` $[e](f)$\n```\n[g](h.md)\n```\n[![i](j.png)](k.md#l)\n"
+        self.assertEqual([link.target for link in hypertext.links(text)], ["b.md", "j.png", "k.md#l"])
+        changed = hypertext.relinked(text, lambda target: "x/" + target)
+        self.assertIn("[![i](x/j.png)](x/k.md#l)", changed)
+        self.assertIn("`[c](d.md)`", changed)
+
+
+if __name__ == "__main__":
+    unittest.main()
