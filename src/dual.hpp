@@ -89,6 +89,9 @@ void evaluate(const Cones<3, Wide>& cones, const Screw<3, Wide>& w, const Screw<
 template <int Dim, class T>
 T lower_bound(const Point<Dim, T>& point);
 
+/// Whether the cold start is the end, too, but for rare cases.
+inline bool in_closed_form(const Cones<2>& cones) { return cones.size == 2 && !cones.limited; }
+
 /// Where to start without a y of a load nearby.
 template <int Dim>
 Twist<Dim> cold_start(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w);

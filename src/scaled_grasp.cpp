@@ -20,6 +20,15 @@ Matrix pseudo_inverse(const Matrix& GGt, std::vector<Twist>& kernel) {
   return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+InternalForce internal_force(const ContactLane<2>& c) {
+  const double x = c.jy[1] - c.jy[0], z = c.jx[0] - c.jx[1];  // from contact 0 to contact 1
+  const Lane dx = Lane{x, -x} / c.share, dz = Lane{z, -z} / c.share;
+  const Lane dn = c.nx * dx + c.ny * dz, dt = c.nx * dz - c.ny * dx, zero{};
+  const auto per = [&](const Lane& rate) { return rate != 0.0 ? 1 / rate : zero; };
+  const Lane square = dn * dn + dt * dt;
+  return {{per(c.mu * dn - dt), per(c.mu * dn + dt)}, square[0] + square[1]};
+}
+
 }  // namespace
 
 template <>
@@ -51,6 +60,7 @@ ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
     GGt += contact.share * forces * forces.transpose();
   }
   inverse = pseudo_inverse(GGt, unfelt);
+  if (size == 2) internal = internal_force(lanes[0]);
 }
 
 template <>
