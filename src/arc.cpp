@@ -41,7 +41,7 @@ void Reach::stop(double angle) {
 }
 
 template <class T>
-ArcSolver<T>::ArcSolver(const Cones<2, T>& cones) : contacts_(cones.size) {
+ArcSolver<T>::ArcSolver(const Cones<2, T>& cones) : limited_(cones.limited), contacts_(cones.size) {
   for (std::size_t i = 0; i < cones.size; ++i) {
     const ContactLane<2, T>& c = cones.lanes[i / lane_size_of<T>];
     const std::size_t k = i % lane_size_of<T>;
@@ -84,31 +84,39 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
   inverse(2, 1) = inverse(1, 2);
   inverse *= 1 / determinant;
 
-  // y and the forces, refined in the forces: see dual.cpp, polish.
-  Affine<3> Y = Affine<3>::Zero(), residual = Affine<3>::Zero();
-  residual(0, 2) = residual(1, 1) = 1;  // w
+  // y and the forces, refined in the forces: see dual.cpp, polish. Of the constant, which is 0
+  // without force limits, of cos theta and of sin theta.
+  Affine<3> Y = Affine<3>::Zero();
   for (Contact& contact : contacts_) {
     contact.F.setZero();
     contact.Z.setZero();
-    contact.F.col(0) = contact.face.f0;
-    residual.col(0) -= contact.G * contact.face.f0;
   }
   T largest_force = 1;
-  for (int round = 0; round < 4; ++round) {
-    if (free_turn) residual.row(2).setZero();
-    if (residual.cwiseAbs().maxCoeff() <= rounding_of<T> * largest_force) break;
-    const Affine<3> dY = inverse * residual;
-    Y += dY;
-    residual.setZero();
-    residual(0, 2) = residual(1, 1) = 1;
-    for (Contact& contact : contacts_) {
-      const Affine<2> dZ = contact.G.transpose() * dY;
-      contact.Z += dZ;
-      contact.F += contact.face.P * dZ;
-      // Exactly on the edge: what rounding adds beside it would be taken for a balance.
-      if (contact.face.edge) contact.F.row(1) = contact.face.sign * contact.mu * contact.F.row(0);
-      residual -= contact.G * contact.F;
-      largest_force = std::max(largest_force, contact.F.cwiseAbs().maxCoeff());
+  for (int k = limited_ ? 0 : 1; k < 3; ++k) {
+    dual::Screw<2, T> load = dual::Screw<2, T>::Zero();
+    if (k > 0) load[2 - k] = 1;
+    dual::Screw<2, T> residual = load;
+    if (k == 0) {
+      for (Contact& contact : contacts_) {
+        contact.F.col(0) = contact.face.f0;
+        residual -= contact.G * contact.face.f0;
+      }
+    }
+    for (int round = 0; round < 4; ++round) {
+      if (free_turn) residual[2] = 0;
+      if (residual.cwiseAbs().maxCoeff() <= rounding_of<T> * largest_force) break;
+      const dual::Screw<2, T> dy = inverse * residual;
+      Y.col(k) += dy;
+      residual = load;
+      for (Contact& contact : contacts_) {
+        const Eigen::Matrix<T, 2, 1> dz = contact.G.transpose() * dy;
+        contact.Z.col(k) += dz;
+        contact.F.col(k) += contact.face.P * dz;
+        // Exactly on the edge: what rounding adds beside it would be taken for a balance.
+        if (contact.face.edge) contact.F(1, k) = contact.face.sign * contact.mu * contact.F(0, k);
+        residual -= contact.G * contact.F.col(k);
+        largest_force = std::max(largest_force, contact.F.col(k).cwiseAbs().maxCoeff());
+      }
     }
   }
   if (free_turn) {

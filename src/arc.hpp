@@ -60,7 +60,8 @@ class ArcSolver {
   static void for_each_condition(const Contact& contact, const Function& f);
   Row turn_at(const Reach& reach, const Affine<3>& Y) const;
 
-  std::vector<Contact> contacts_;
+  bool limited_;
+  SmallVector<Contact, 16> contacts_;
 };
 
 }  // namespace poise

@@ -46,6 +46,27 @@ template <class T>
     return x;
 }
 
+/// Of each element, without a branch.
+template <class L>
+[[gnu::always_inline]] inline L larger(const L& a, const L& b) {
+  return a > b ? a : b;
+}
+template <class L>
+[[gnu::always_inline]] inline L smaller(const L& a, const L& b) {
+  return a < b ? a : b;
+}
+using LaneBits = long long __attribute__((vector_size(sizeof(Lane))));
+inline constexpr long long sign_bit = std::numeric_limits<long long>::min();
+[[gnu::always_inline]] inline Lane magnitude(const Lane& x) {
+  return (Lane)((LaneBits)x & ~sign_bit);
+}
+inline Wide magnitude(const Wide& x) { return abs(x); }
+/// x >= 0, where z is negative -x.
+[[gnu::always_inline]] inline Lane with_sign_of(const Lane& z, const Lane& x) {
+  return (Lane)(((LaneBits)z & sign_bit) | (LaneBits)x);
+}
+inline Wide with_sign_of(const Wide& z, const Wide& x) { return z < 0 ? -x : x; }
+
 /// The distance from 1 to the next number.
 template <class T>
 constexpr double rounding_of = std::is_same_v<T, double> ? 2.2e-16 : 4.9e-32;
@@ -118,6 +139,26 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
     if (rho > 0) M.diagonal().array() += T(rho);
     return M;
   };
+  // Within the step dy from y stops where the slope vanishes, or in space has fallen by half on a
+  // way that rises: it falls with a, in the plane piecewise linearly. Starts at its end, of which
+  // it tells `slope_there`. Whether it cuts the step short.
+  const auto stop_within = [&](const Screw<Dim, T>& y, const Screw<Dim, T>& dy, const T& before,
+                               const T& slope, T& slope_there) {
+    using std::abs;
+    T least = 0, most = 1, a = 1;
+    for (int trial = 1; trial < 60; ++trial) {
+      if (abs(slope_there) <= (Dim == 2 ? 1e-9 : 1e-2) * slope ||
+          (Dim == 3 && abs(slope_there) <= 0.5 * slope && point.value > before) ||
+          most - least <= 4.5 * rounding * most)
+        break;
+      (slope_there > 0 ? least : most) = a;
+      a += slope_there / quadratic(curvature_here(), dy);
+      if (!(a > least && a < most)) a = (least + most) / 2;
+      evaluate_at(y + a * dy);
+      slope_there = point.residual.dot(dy);
+    }
+    return a < 1;
+  };
   evaluate_at(start);
   // Where steps are cut short again and again, the next heeds the faces passed before: else
   // it zigzags between them near the limit of holding.
@@ -142,7 +183,10 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
       if (unbounded && error <= 0.5 * delta) return true;
     }
 
-    M = cuts > 1 ? Square<Dim, T>(curvature_here() + T(0.5) * M) : curvature_here();
+    if (cuts > 1)
+      M = curvature_here() + T(0.5) * M;
+    else
+      M = curvature_here();
     Screw<Dim, T> dy = newton_step(M, point.residual);
     const T reach = (step < 4 ? 3 : 100) * (1 + span(point.y)), stretch = span(dy);
     if (stretch > reach) {
@@ -150,7 +194,6 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
       dy = newton_step(M, point.residual);
     }
     const T before = point.value, slope = point.residual.dot(dy);
-    T least = 0, most = 1, a = 1, slope_there = 0;
     const Screw<Dim, T> y = point.y;
     using std::abs;
     if constexpr (!std::is_same_v<T, double>) {
@@ -169,24 +212,11 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
       }
       if (rises) continue;
     }
-    for (int trial = 0; trial < 60; ++trial) {
-      evaluate_at(y + a * dy);
-      slope_there = point.residual.dot(dy);
-      // The full step will do if it rises as it should, or by less than rounding shows.
-      if (trial == 0 &&
-          (point.value - before >= 0.1 * slope || slope <= 4 * rounding * abs(before)))
-        break;
-      // Else stop where the slope vanishes, or in space has fallen by half on a way that rises: it
-      // falls with a, in the plane piecewise linearly.
-      if (abs(slope_there) <= (Dim == 2 ? 1e-9 : 1e-2) * slope ||
-          (Dim == 3 && abs(slope_there) <= 0.5 * slope && point.value > before) ||
-          most - least <= 4.5 * rounding * most)
-        break;
-      (slope_there > 0 ? least : most) = a;
-      a += slope_there / quadratic(curvature_here(), dy);
-      if (!(a > least && a < most)) a = (least + most) / 2;
-    }
-    const bool cut = a < 1;
+    evaluate_at(y + dy);
+    T slope_there = point.residual.dot(dy);
+    // The full step will do if it rises as it should, or by less than rounding shows.
+    const bool cut = !(point.value - before >= 0.1 * slope) && slope > 4 * rounding * abs(before) &&
+                     stop_within(y, dy, before, slope, slope_there);
     settled = !cut && abs(slope_there) <= 1e-6 * slope;
     // Still rising where every step is long: does it rise for ever?
     if (rho == 0 && stretch > reach && slope_there > 0.5 * slope) {

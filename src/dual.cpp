@@ -12,38 +12,37 @@
 namespace poise::dual {
 namespace {
 
-/// Projects every contact's z and adds up, without a branch. docs/theory.md has the three cases of
-/// the projection.
+/// Projects every contact's z and adds up, without a branch. docs/theory.md has the cases of the
+/// projection; the largest of what they give is right: where z is inside the cone, its projection
+/// to the edge presses less.
 template <bool limited, class T>
 void evaluate_plane(const Cones<2, T>& cones, const Screw<2, T>& w, const Screw<2, T>& y,
                     Point<2, T>& point) {
   using L = LaneOf<T>;
-  const L zero{};
   const L vx = all(y[0]), vy = all(y[1]), omega = all(y[2]);
   L fx{}, fy{}, fm{}, phi{};
-  for (std::size_t p = 0; p < cones.lanes.size(); ++p) {
-    const ContactLane<2, T>& c = cones.lanes[p];
+  LaneForces<2, T>* forces = point.lanes.data();
+  const ContactLane<2, T>* const end = cones.lanes.end();
+  for (const ContactLane<2, T>* lane = cones.lanes.begin(); lane != end; ++lane, ++forces) {
+    const ContactLane<2, T>& c = *lane;
     const L ux = vx + omega * c.jx, uy = vy + omega * c.jy;
     const L zn = c.nx * ux + c.ny * uy, zt = c.nx * uy - c.ny * ux;
-    const L mu = zt < zero ? -c.mu : c.mu;  // t = mu n is the edge on z's side
-    const L beside = zt < zero ? -zt : zt;
-    const L along = (zn + mu * zt) * c.edge;  // normal force of z's projection to the edge
-    L within = zn;
-    if constexpr (limited) within = zn < c.lo ? c.lo : zn > c.hi ? c.hi : zn;
-    const auto inside = beside < c.mu * within;
-    L n = inside ? zn : along;
-    if constexpr (limited)
-      n = n < c.lo ? c.lo : n > c.hi ? c.hi : n;
-    else
-      n = n > zero ? n : zero;
-    const L t = inside ? zt : mu * n;
-    point.lanes[p] = {{zn, zt}, {n, t}, zero};
+    const L beside = magnitude(zt);
+    const L along = (zn + c.mu * beside) * c.edge;  // normal force of z's projection to the edge
+    L n = larger(larger(zn, along), c.lo);
+    if constexpr (limited) n = smaller(n, c.hi);
+    const L t = with_sign_of(zt, smaller(beside, L(c.mu * n)));
+    *forces = {{zn, zt}, {n, t}};
     const L gx = n * c.nx - t * c.ny, gy = n * c.ny + t * c.nx;
     fx += gx;
     fy += gy;
     fm += gx * c.jx + gy * c.jy;
-    phi += n * (zn - 0.5 * n) + t * (zt - 0.5 * t);
+    if constexpr (limited)
+      phi += n * (zn - 0.5 * n) + t * (zt - 0.5 * t);
+    else
+      phi += n * n + t * t;  // f and z - f are perpendicular
   }
+  if constexpr (!limited) phi *= all(T(0.5));
   point.y = y;
   point.residual = w - Screw<2, T>(sum(fx), sum(fy), sum(fm));
   point.value = y.dot(w) - sum(phi);
@@ -52,35 +51,39 @@ void evaluate_plane(const Cones<2, T>& cones, const Screw<2, T>& w, const Screw<
 template <bool limited, class T>
 Square<2, T> curvature_plane(const Cones<2, T>& cones, const Point<2, T>& point) {
   using L = LaneOf<T>;
-  const L zero{}, one = all(T(1));
+  const L zero{};
   L Mxx{}, Mxy{}, Myy{}, Mxm{}, Mym{}, Mmm{};
-  for (std::size_t p = 0; p < cones.lanes.size(); ++p) {
-    const ContactLane<2, T>& c = cones.lanes[p];
-    const L zt = point.lanes[p].z[1], n = point.lanes[p].f[0];
-    const L mu = zt < zero ? -c.mu : c.mu;
-    const auto inside = (zt < zero ? -zt : zt) < c.mu * n;
-    L free = n > zero ? one : zero;  // neither at its least nor at its greatest
-    if constexpr (limited) free = n > c.lo ? (n < c.hi ? one : zero) : zero;
-    // DΠ as a 2 x 2 matrix on forces along x and y: 1 inside, the edge's direction on the edge.
-    const L ex = c.nx - mu * c.ny, ey = c.ny + mu * c.nx, e = free * c.edge;
-    L Pxx = e * ex * ex, Pxy = e * ex * ey, Pyy = e * ey * ey;
-    if constexpr (limited) {
-      const L held = one - free;
-      Pxx = inside ? c.share - held * c.nx * c.nx : Pxx;
-      Pxy = inside ? -held * c.nx * c.ny : Pxy;
-      Pyy = inside ? c.share - held * c.ny * c.ny : Pyy;
-    } else {
-      Pxx = inside ? c.share : Pxx;
-      Pxy = inside ? zero : Pxy;
-      Pyy = inside ? c.share : Pyy;
+  // Adds e times the outer product of the wrench of a force at the contact.
+  const auto add = [&](const ContactLane<2, T>& c, const L& e, const L& x, const L& y) {
+    const L m = x * c.jx + y * c.jy, ex = e * x, ey = e * y;
+    Mxx += ex * x;
+    Mxy += ex * y;
+    Myy += ey * y;
+    Mxm += ex * m;
+    Mym += ey * m;
+    Mmm += e * m * m;
+  };
+  const LaneForces<2, T>* forces = point.lanes.data();
+  const ContactLane<2, T>* const end = cones.lanes.end();
+  for (const ContactLane<2, T>* lane = cones.lanes.begin(); lane != end; ++lane, ++forces) {
+    const ContactLane<2, T>& c = *lane;
+    const L zt = forces->z[1], n = forces->f[0];
+    const auto inside = magnitude(zt) < c.mu * n;
+    L free = n > c.lo ? c.edge : zero;  // neither at its least nor at its greatest
+    if constexpr (limited) free = n < c.hi ? free : zero;
+    // Inside, forces along x and y; on the edge those along it.
+    const L share = inside ? c.share : zero, sx = share * c.jx, sy = share * c.jy;
+    Mxx += share;
+    Myy += share;
+    Mxm += sx;
+    Mym += sy;
+    Mmm += sx * c.jx + sy * c.jy;
+    const L mu = with_sign_of(zt, c.mu);
+    add(c, inside ? zero : free, c.nx - mu * c.ny, c.ny + mu * c.nx);
+    if constexpr (limited) {  // at a limit not those along the normal
+      const L held = free > zero ? zero : all(T(-1));
+      add(c, inside ? held : zero, c.nx, c.ny);
     }
-    const L qx = Pxx * c.jx + Pxy * c.jy, qy = Pxy * c.jx + Pyy * c.jy;
-    Mxx += Pxx;
-    Mxy += Pxy;
-    Myy += Pyy;
-    Mxm += qx;
-    Mym += qy;
-    Mmm += qx * c.jx + qy * c.jy;
   }
   Square<2, T> M;
   M << sum(Mxx), sum(Mxy), sum(Mxm), T(0), sum(Myy), sum(Mym), T(0), T(0), sum(Mmm);
@@ -215,46 +218,40 @@ namespace {
 Twist<2> cold_start_two(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
   const Twist<2> y = grasp.inverse * w;
   const ContactLane<2>& c = grasp.lanes[0];
-  // Forces of the two contacts without internal force, and the internal force.
+  // Forces of the two contacts without internal force.
   const Lane ux = y[0] + y[2] * c.jx, uy = y[1] + y[2] * c.jy;
   const Lane n = c.nx * ux + c.ny * uy, t = c.nx * uy - c.ny * ux;
-  const double x = c.jy[1] - c.jy[0], z = c.jx[0] - c.jx[1];  // from contact 0 to contact 1
-  Lane dx{}, dz{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    dx[i] = (i == 0 ? x : -x) / c.share[i];
-    dz[i] = (i == 0 ? z : -z) / c.share[i];
+  // mu n -+ t >= 0 of both contacts bound alpha from below where it grows with alpha, else from
+  // above.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Lane zero{}, none = zero + infinity;
+  Lane from[2], to[2];
+  for (int side = 0; side < 2; ++side) {
+    const Lane per_margin = grasp.internal.per_margin[side];
+    const Lane alpha = ((side == 0 ? t : -t) - c.mu * n) * per_margin;
+    from[side] = per_margin > zero ? alpha : -none;
+    to[side] = per_margin < zero ? alpha : none;
   }
-  const Lane dn = c.nx * dx + c.ny * dz, dt = c.nx * dz - c.ny * dx;
-  // mu n -+ t >= 0 of both contacts: alpha >= -value / rate where the rate is positive, <=
-  // elsewhere.
-  const Lane rates[2] = {c.mu * dn - dt, c.mu * dn + dt};
-  const Lane alphas[2] = {(t - c.mu * n) / rates[0], (-t - c.mu * n) / rates[1]};
-  double least = -std::numeric_limits<double>::infinity(), greatest = -least;
-  int at_least = 0, at_greatest = 0;
-  for (int k = 0; k < 4; ++k) {
-    const double alpha = alphas[k / 2][k % 2], rate = rates[k / 2][k % 2];
-    const bool above = rate > 0 && alpha > least, below = rate < 0 && alpha < greatest;
-    least = above ? alpha : least;
-    at_least = above ? k : at_least;
-    greatest = below ? alpha : greatest;
-    at_greatest = below ? k : at_greatest;
-  }
+  const Lane froms = larger(from[0], from[1]), tos = smaller(to[0], to[1]);
+  const double least = std::max(froms[0], froms[1]), greatest = std::min(tos[0], tos[1]);
   const double alpha = std::min(std::max(0.0, least), greatest);
   if (alpha == 0 || !(least <= greatest)) return y;
-  const int k = alpha > 0 ? at_least : at_greatest, i = k % 2;
-  const double lambda = alpha * sum(dn * dn + dt * dt) / rates[k / 2][i];
-  const double an = lambda * c.mu[i], at = k < 2 ? -lambda : lambda;
+  const Lane* const stops = alpha > 0 ? from : to;
+  const int i = stops[0][0] == alpha || stops[1][0] == alpha ? 0 : 1;
+  const int side = stops[0][i] == alpha ? 0 : 1;
+  const double lambda = alpha * grasp.internal.square * grasp.internal.per_margin[side][i];
+  const double an = lambda * c.mu[i], at = side == 0 ? -lambda : lambda;
   const double gx = an * c.nx[i] - at * c.ny[i], gy = an * c.ny[i] + at * c.nx[i];
   const Twist<2> clamped = y - grasp.inverse * Wrench<2>(gx, gy, gx * c.jx[i] + gy * c.jy[i]);
   // Contacts at one point have no line between them.
-  return clamped.cwiseAbs().maxCoeff() < 1e7 ? clamped : y;
+  return span(clamped) < 1e7 ? clamped : y;
 }
 
 }  // namespace
 
 template <>
 Twist<2> cold_start<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
-  if (grasp.size == 2 && !grasp.limited) return cold_start_two(grasp, w);
+  if (in_closed_form(grasp)) return cold_start_two(grasp, w);
   return grasp.inverse * w;
 }
 
@@ -335,8 +332,7 @@ bool maximise<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist<2>
                  double force_cap, Point<2>& point) {
   // A proof that a neighbour cannot be held is too long to start from.
   const bool near = span(start) < 1e8;
-  const Twist<2> y = near ? start : cold_start<2>(grasp, w);
-  if (climb<2>(grasp, w, y, force_cap, 0, point)) return true;
+  if (climb<2>(grasp, w, near ? start : cold_start<2>(grasp, w), force_cap, 0, point)) return true;
   // A pull towards y = 0 gives the sharpest proof.
   Point<2> pulled = point;
   climb<2>(grasp, w, Twist<2>::Zero(), std::numeric_limits<double>::infinity(), 1e-6, pulled);

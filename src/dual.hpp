@@ -22,9 +22,17 @@ using Square = Eigen::Matrix<T, wrench_size<Dim>, wrench_size<Dim>>;
 
 /// z = Gᵀy and f = Π_K(z) of the contacts of one lane.
 template <int Dim, class T>
-struct alignas(sizeof(LaneOf<T>)) LaneForces {
-  LaneOf<T> z[contact_size<Dim>], f[contact_size<Dim>];
-  LaneOf<T> over;  ///< in space: 1 / |z's tangential part|, or any number where that is 0
+struct LaneForces;
+
+template <class T>
+struct alignas(sizeof(LaneOf<T>)) LaneForces<2, T> {
+  LaneOf<T> z[2], f[2];
+};
+
+template <class T>
+struct alignas(sizeof(LaneOf<T>)) LaneForces<3, T> {
+  LaneOf<T> z[4], f[4];
+  LaneOf<T> over;  ///< 1 / |z's tangential part|, or any number where that is 0
 };
 
 /// The dual function at y.
@@ -98,6 +106,9 @@ void evaluate(const Cones<3, Wide>& cones, const Screw<3, Wide>& w, const Screw<
 /// 2 (value − delta (|v| + |omega|)): what any force that balances w within delta must cost.
 template <int Dim, class T>
 T lower_bound(const Point<Dim, T>& point);
+
+/// Whether the cold start is the end, too, but for rare cases.
+inline bool in_closed_form(const Cones<2>& cones) { return cones.size == 2 && !cones.limited; }
 
 /// Where to start without a y of a load nearby.
 template <int Dim>

@@ -7,7 +7,7 @@
 #include <limits>
 #include <sstream>
 
-#include "dual.hpp"
+#include "ascend.hpp"
 #include "twist.hpp"
 
 namespace poise {
@@ -55,12 +55,12 @@ void write_forces(const ContactLane<2>& contacts, const dual::LaneForces<2, doub
                   double near, Lane& effort, ContactForce<2>* forces, std::size_t count) {
   const Lane zero{}, n = lane.f[0], t = lane.f[1];
   effort += n * n + t * t;
-  const Lane share = (t < zero ? -t : t) / (contacts.mu * n);  // 0 / 0 without friction
+  const Lane share = dual::magnitude(t) / (contacts.mu * n);  // 0 / 0 without friction
   const Lane used = share < 1.0 ? share : zero + 1;
   const auto loaded = n * contacts.unit > near, slips = used >= 1 - at_limit;
   const Lane normal = n * contacts.unit, tangential = t * contacts.unit;
   const Lane friction_used = loaded ? used : zero;
-  const auto state = (loaded & 1) + (loaded & slips & 1);
+  const auto state = loaded & (1 - slips);
   for (std::size_t k = 0; k < count; ++k)
     forces[k] = {normal[k], tangential[k], friction_used[k], static_cast<ContactState>(state[k]),
                  ForceLimit::none};
@@ -93,9 +93,12 @@ Hold<2> solve(const Grasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
   hold.forces.resize(scaled.size);
   const double near = at_limit * weight;
   Lane effort{};
+  const ContactLane<2>* contacts = scaled.lanes.begin();
+  const dual::LaneForces<2, double>* lanes = point.lanes.begin();
+  ContactForce<2>* forces = hold.forces.begin();
   for (std::size_t i = 0; i < scaled.size; i += lane_size)
-    write_forces(scaled.lanes[i / lane_size], point.lanes[i / lane_size], near, effort,
-                 &hold.forces[i], std::min(lane_size, scaled.size - i));
+    write_forces(*contacts++, *lanes++, near, effort, forces + i,
+                 std::min(lane_size, scaled.size - i));
   if (scaled.limited)
     for (std::size_t i = 0; i < scaled.size; ++i)
       hold.forces[i].limit = limit_of(grasp.contacts()[i], hold.forces[i].normal, near);
@@ -119,7 +122,11 @@ Hold<2> hold(const Grasp<2>& grasp, const Wrench<2>& load, const Twist<2>& y,
              const HoldSettings& settings) {
   if (!load.allFinite() || !y.allFinite())
     throw InvalidGrasp("load", "must be finite, like the twist to start at");
-  return solve(grasp, scaled_load(grasp, load), about_com(grasp, y), settings);
+  const Wrench<2> w = scaled_load(grasp, load);
+  const ScaledGrasp<2>& scaled = grasp.scaled();
+  return solve(grasp, w,
+               dual::in_closed_form(scaled) ? dual::cold_start<2>(scaled, w) : about_com(grasp, y),
+               settings);
 }
 
 template <>

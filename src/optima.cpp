@@ -25,10 +25,14 @@ double scale(const Harmonic2& V) {
 void split(const Arc& arc, double turn, std::vector<Segment>& segments) {
   constexpr double near = 1e-9;  // an optimum this close to an end of the arc is at the end
   double from = arc.from;
+  int trend = 0;
   const auto add_until = [&](double to) {
-    const double slope = arc.V.slope((from + to) / 2);
-    const int trend = std::abs(slope) <= 1e-13 * scale(arc.V) ? 0 : slope > 0 ? 1 : -1;
+    if (trend == 0) {
+      const double slope = arc.V.slope((from + to) / 2);
+      trend = std::abs(slope) <= 1e-13 * scale(arc.V) ? 0 : slope > 0 ? 1 : -1;
+    }
     segments.push_back({from + turn, to + turn, trend, &arc.V});
+    trend = -trend;  // it changes sign at `to`
     from = to;
   };
   for (const double at : sign_changes(derivative(arc.V), arc.from, arc.to))

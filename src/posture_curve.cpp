@@ -158,7 +158,8 @@ class Tracer {
   /// Ends the arc where its effort leaves the force cap.
   void keep_below_cap(double at, const Harmonic2& V, Reach& reach) const {
     const double cap = cap_ * grasp_.object().weight;
-    const double most = V.c0 + std::hypot(V.cos1, V.sin1) + std::hypot(V.cos2, V.sin2);
+    const double most =
+        V.c0 + std::abs(V.cos1) + std::abs(V.sin1) + std::abs(V.cos2) + std::abs(V.sin2);
     if (most <= cap * cap) return;
     Harmonic2 below = V;
     below.c0 -= cap * cap;

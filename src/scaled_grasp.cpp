@@ -20,6 +20,21 @@ Matrix pseudo_inverse(const Matrix& GGt, std::vector<Twist>& kernel) {
   return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+InternalForce internal_force(const ContactLane<2>& c) {
+  InternalForce force{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t other = 1 - i;
+    const double x = (c.jy[other] - c.jy[i]) / c.share[i], z = (c.jx[i] - c.jx[other]) / c.share[i];
+    const double n = c.nx[i] * x + c.ny[i] * z, t = c.nx[i] * z - c.ny[i] * x;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const double rate = c.mu[i] * n + (side == 0 ? -t : t);
+      force.per_margin[side][i] = rate != 0 ? 1 / rate : 0;
+    }
+    force.square += n * n + t * t;
+  }
+  return force;
+}
+
 }  // namespace
 
 template <>
@@ -51,6 +66,7 @@ ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
     GGt += contact.share * forces * forces.transpose();
   }
   inverse = pseudo_inverse(GGt, unfelt);
+  if (size == 2) internal = internal_force(lanes[0]);
 }
 
 template <>

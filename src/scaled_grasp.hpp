@@ -110,6 +110,13 @@ struct Cones {
   SmallVector<ContactLane<Dim, T>, 16 / lane_size_of<T>> lanes;
 };
 
+/// Two contacts in the plane have one internal force, along the line between them: how far it goes
+/// until mu n - t (first) or mu n + t of a contact vanishes.
+struct InternalForce {
+  Lane per_margin[2];  ///< 1 / the rate at which it grows; 0 where it stays
+  double square;       ///< of its length
+};
+
 template <int Dim>
 struct ScaledGrasp : Cones<Dim> {
   explicit ScaledGrasp(const Grasp<Dim>& grasp);
@@ -118,6 +125,7 @@ struct ScaledGrasp : Cones<Dim> {
   double per_weight;  ///< 1 / W [1/N]
   /// Pseudo-inverse of G G^T: the dual of a load while no contact is at the border of its cone.
   Eigen::Matrix<double, wrench_size<Dim>, wrench_size<Dim>> inverse;
+  InternalForce internal{};  ///< of two contacts in the plane
   /// Twists that no contact feels, an orthonormal basis: two hard fingers leave one in space.
   std::vector<Twist<Dim>> unfelt;
 };
