@@ -1,0 +1,420 @@
+#include "posture_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ascend.hpp"
+#include "twist.hpp"
+
+namespace poise::search {
+
+/// The postures in which one contact may carry all: it is right under the com, or above it.
+std::vector<Vector<3>> on_one_contact(const Grasp<3>& grasp) {
+  std::vector<Vector<3>> ups;
+  for (const Contact<3>& contact : grasp.contacts()) {
+    const Vector<3> arm = grasp.object().com - contact.position;
+    const bool at_com = arm.norm() <= 1e-9 * grasp.radius();
+    const Vector<3> along = at_com ? contact.normal : Vector<3>(arm.normalized());
+    const double normal = contact.normal.dot(along);
+    const double beside = (along - normal * contact.normal).norm();
+    if (beside <= contact.friction * std::abs(normal) + 1e-9)
+      ups.push_back(normal > 0 ? along : -along);
+  }
+  return ups;
+}
+
+Search::Search(const std::vector<Scenario>& scenarios, std::vector<Cone> cones, double gap,
+               int max_holds, bool rough)
+    : scenarios_(scenarios),
+      cones_(std::move(cones)),
+      gap_(gap),
+      max_holds_(max_holds),
+      rough_(rough) {
+  for (const Scenario& s : scenarios) {
+    limited_ = limited_ || s.grasp->scaled().limited;
+    cap_ = std::max(cap_, s.cap * s.weight);
+  }
+  // |f| >= W / sqrt(sum share), by y = t e_k.
+  const ScaledGrasp<3>& grasp = scenarios.front().grasp->scaled();
+  for (std::size_t i = 0; i < grasp.size; ++i)
+    shares_ += grasp.lanes[i / lane_size].share[i % lane_size];
+  for (std::size_t s = 0; s < scenarios.size(); ++s)
+    if (scenarios[s].weight == 1) heaviest_ = s;
+  t_ = limited_ ? target() : 1;
+  polytope_ = box();
+  for (std::size_t s = 0; s < scenarios.size(); ++s)
+    for (const Twist<3>& unfelt : scenarios[s].grasp->scaled().unfelt)
+      if (unfelt.head<3>().norm() > 1e-9) {
+        thin_.push_back({unfelt.head<3>().normalized(), 0});
+        for (const double sign : {1.0, -1.0}) nothing_resists(s, sign * unfelt);
+      }
+}
+
+Polytope Search::box() const {
+  const double half = std::sqrt(t_ * shares_);
+  return Polytope(limited_ ? std::min(half, 2.0) : half);
+}
+
+double Search::target() const {
+  return std::min((1 - gap_) * (1 + 1e-3 * gap_) * best_V_, 1.01 * cap_ * cap_);
+}
+
+bool Search::inside(const Vector<3>& up) const {
+  return std::all_of(cones_.begin(), cones_.end(),
+                     [&](const Cone& cone) { return cone.excess(up) <= 1e-9; });
+}
+
+Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact) {
+  Vector<3> x = given;
+  if (std::all_of(thin_.begin(), thin_.end(),
+                  [&](const Plane& plane) { return std::abs(plane.n.dot(given)) < 1e-6; }))
+    x = OnPlanes(given, thin_).load();
+  Evaluation worst;
+  worst.V = -1;
+  Wrench<3> w;
+  w << x, 0, 0, 0;
+  for (std::size_t s = 0; s < scenarios_.size(); ++s) {
+    const Scenario& scenario = scenarios_[s];
+    const ScaledGrasp<3>& grasp = scenario.grasp->scaled();
+    dual::Point<3> point(grasp.size);
+    const Twist<3> start =
+        from != nullptr && from->scenario == s ? from->y : dual::cold_start<3>(grasp, w);
+    const double in_units = scenario.weight * scenario.weight;
+    bool holdable = !exact && dual::approach(grasp, w, start, scenario.cap, point);
+    double square = dual::squared_norm(point);
+    // Where the two disagree again and again, beside what can be held, the first is not believed.
+    if (holdable && !exact && !rough_ && improves(in_units * square) && refuted_ > 20) {
+      holdable = false;
+    } else if (exact || (!rough_ && holdable && improves(in_units * square))) {
+      dual::Point<3> rough = point;
+      const bool approached = holdable;
+      holdable = dual::maximise(grasp, w, exact ? start : Twist<3>(point.y), scenario.cap, point);
+      square = dual::squared_norm(point);
+      if (approached && !holdable) ++refuted_;
+      // Rounding of a load may ask for a very long y, of no use for other loads.
+      if (approached && holdable && dual::span(point.y) > 1e3 * dual::span(rough.y)) point = rough;
+    }
+    ++holds_;
+    const double V = holdable ? in_units * square : infinity;
+    if (!(V > worst.V)) continue;
+    worst.V = V;
+    Row& row = worst.row;
+    // Where nothing holds, y goes far along a direction; farther may cut deeper.
+    if (limited_ && !holdable) {
+      dual::Point<3> far = point;
+      dual::evaluate<3, double>(grasp, w, Twist<3>(1e3 * point.y), far);
+      const double half = t_ / (2 * in_units);
+      if (far.value - half > 1e3 * (point.value - half)) point = far;
+    }
+    row.y = point.y;
+    row.speed = point.y.head<3>().norm();
+    row.n = point.y.head<3>() / row.speed;
+    // Rounding of G^T y must not make a cut deeper than it is.
+    const double rounding = 2.2e-16 * point.y.cwiseAbs().sum();
+    const double norm = std::sqrt(dual::squared_norm(point)) +
+                        rounding * std::sqrt(static_cast<double>(grasp.size));
+    row.phi = limited_ ? point.y.dot(w) - point.value : 0.5 * norm * norm;
+    row.scenario = s;
+    row.at = x;
+    row.holdable = holdable;
+    if (!holdable) break;
+  }
+  return worst;
+}
+
+/// A row for a twist that no contact feels.
+void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
+  const ScaledGrasp<3>& grasp = scenarios_[scenario].grasp->scaled();
+  dual::Point<3> point(grasp.size);
+  Row row;
+  row.y = 1e8 * y;
+  dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), row.y, point);
+  row.speed = row.y.head<3>().norm();
+  row.n = row.y.head<3>() / row.speed;
+  row.phi = (limited_ ? -point.value : std::max(-point.value, 0.0)) + 1e-30 * row.y.squaredNorm();
+  row.scenario = scenario;
+  rows_.push_back(row);
+  cut(rows_.size() - 1, Polytope::none);
+}
+
+/// Of n . x where the effort is at most t_. Without limits y may be as long as is best.
+double Search::right_hand_side(const Row& row) const {
+  if (row.plane) return 0;
+  const double weight = scenarios_[row.scenario].weight, half = t_ / (2 * weight * weight);
+  const double felt = limited_ ? half + row.phi : 2 * std::sqrt(half * row.phi);
+  return (felt + dual::delta * dual::length<3, double>(row.y)) / row.speed;
+}
+
+bool Search::cut(std::size_t row, std::size_t hint) {
+  const Row& r = rows_[row];
+  const int id = 6 + static_cast<int>(row);
+  if (!r.plane && !(r.speed > 1e-300)) return false;
+  const double b = right_hand_side(r);
+  return (hint != Polytope::none && polytope_.cut(r.n, b, id, hint)) || polytope_.cut(r.n, b, id);
+}
+
+void Search::rebuild() {
+  t_ = target();
+  polytope_ = box();
+  for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
+}
+
+double Search::visit(const Vector<3>& up, const Row* from, std::size_t hint) {
+  Evaluation e = evaluate(up, from);
+  const bool better = improves(e.V) && inside(up);
+  rows_.push_back(e.row);
+  if (better) {
+    best_V_ = e.V;
+    best_up_ = e.row.at;
+    best_row_ = e.row;
+  }
+  if (better && limited_)
+    rebuild();
+  else
+    cut(rows_.size() - 1, hint);
+  return e.V;
+}
+
+/// Where what can be held has no inside, the planes that leave nothing else are meant to be hit:
+/// what is a little beside them is so by rounding.
+std::vector<Plane> Search::meant(const Vector<3>& x, const std::array<int, 3>& planes) const {
+  std::vector<Plane> hit;
+  for (const int id : planes) {
+    if (id < 6) continue;
+    const Row& row = rows_[static_cast<std::size_t>(id - 6)];
+    if (row.holdable) continue;
+    const double b = limited_ ? right_hand_side(row) : 0;
+    if (std::abs(row.n.dot(x) - b) <= 1e-7) hit.push_back({row.n, b});
+  }
+  return hit;
+}
+
+Vector<3> Search::snapped(const Vector<3>& x, const std::array<int, 3>& planes) const {
+  const Vector<3> up = x.normalized();
+  return OnPlanes(up, meant(up, planes)).posture(up);
+}
+
+const Row* Search::neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const {
+  const Row* nearest = nullptr;
+  for (const int id : planes) {
+    if (id < 6) continue;
+    const Row& row = rows_[static_cast<std::size_t>(id - 6)];
+    if (row.plane || !row.holdable) continue;
+    if (nearest == nullptr || row.at.dot(x) > nearest->at.dot(x)) nearest = &row;
+  }
+  return nearest;
+}
+
+/// A plane for a point of the polytope outside of the domain. True if there was need for one.
+bool Search::stay_inside(const Vector<3>& x, const std::array<int, 3>& planes, std::size_t vertex) {
+  for (const Cone& cone : cones_) {
+    const double excess = cone.excess(x);
+    if (!(excess > 1e-12)) continue;
+    const Row* from = neighbour(x, planes);
+    const Row start = from != nullptr ? *from : Row{};
+    Row row;
+    row.n = cone.plane(x).normalized();
+    row.plane = true;
+    rows_.push_back(row);
+    if (!cut(rows_.size() - 1, vertex) && vertex != Polytope::none) polytope_[vertex].tried = true;
+    if (excess < 1e-2) visit(cone.nearest(x), from != nullptr ? &start : nullptr);
+    return true;
+  }
+  return false;
+}
+
+/// Cuts off the farthest vertex outside of the unit ball. False: there is none.
+bool Search::shrink() {
+  const std::size_t far = polytope_.farthest(false);
+  if (far == Polytope::none) return false;
+  const double enough = limited_ ? 1 : 1 / target();  // of |x|^2
+  if (polytope_[far].square <= enough) return false;
+  const Vector<3> x = polytope_[far].x;
+  const std::array<int, 3> planes = polytope_[far].planes;
+  if (stay_inside(x, planes, far)) return true;
+  const Vector<3> up = snapped(x, planes);
+  const Row* nearest = neighbour(x, planes);
+  const Row start = nearest != nullptr ? *nearest : Row{};
+  const Row* from = nearest != nullptr ? &start : nullptr;
+  const double before = best_V_;
+  const double at_up = visit(up, from, far);
+  const bool holdable = at_up < infinity;
+  if (limited_ && best_V_ < before) return true;
+  const auto there_still = [&] { return polytope_[far].alive && polytope_[far].x == x; };
+  const auto cut_by = [&](const Evaluation& e) {
+    rows_.push_back(e.row);
+    cut(rows_.size() - 1, far);
+    return e.V;
+  };
+  if (there_still() && !rough_ && (holdable || !limited_)) cut_by(evaluate(up, from, true));
+  bool beyond = !holdable;  // of all that can be held
+  if (there_still() && limited_) {
+    // With min_normal a heavier object may need less.
+    const double V = cut_by(evaluate(OnPlanes(x, meant(x, planes)).load(), from));
+    beyond = !(V < infinity);
+    heavier_is_easier_ = V <= at_up;
+    if (there_still() && below(V)) {
+      heavier_ = Load{x, V};
+      return true;
+    }
+  }
+  if (there_still()) polytope_[far].tried = true;
+  // Vertices lie outside of what can be held: look from the inside, too.
+  beyond_in_a_row_ = beyond ? beyond_in_a_row_ + 1 : 0;
+  if (beyond_in_a_row_ < 2) return true;
+  if (limited_ && best_V_ < infinity) {
+    const Vector<3> near = x + std::ldexp(1, -std::min(beyond_in_a_row_, 40)) * (best_up_ - x);
+    const Evaluation e = evaluate(near);
+    rows_.push_back(e.row);
+    cut(rows_.size() - 1, Polytope::none);
+    if (below(e.V)) (near.norm() > 1 ? heavier_ : lighter_) = Load{near, e.V};
+  }
+  const Vector<3> middle = best_V_ < infinity ? Vector<3>(up + best_up_) : polytope_.middle();
+  if (middle.norm() > 1e-3) visit(snapped(middle, planes), nullptr);
+  return true;
+}
+
+/// A heavier object needs less: the loads that need at most t_, a convex set, must all be heavier.
+/// Cuts off the lightest load of the polytope. False: none is lighter than the object.
+bool Search::recede() {
+  if (polytope_.empty()) return false;
+  const Vector<3> x = polytope_.nearest();
+  if (x.norm() >= 1) return false;
+  if (stay_inside(x, {0, 0, 0}, Polytope::none))
+    return polytope_.empty() || polytope_.nearest() != x;
+  const double before = best_V_;
+  if (x.norm() > 1e-3) visit(x.normalized(), nullptr);
+  if (best_V_ < before) return true;
+  const auto try_load = [&](const Vector<3>& load) {
+    const Evaluation e = evaluate(load);
+    rows_.push_back(e.row);
+    cut(rows_.size() - 1, Polytope::none);
+    if (load.norm() < 1 && below(e.V)) lighter_ = Load{load, e.V};
+    return e.V;
+  };
+  const auto done = [&] {
+    return (lighter_ && below(lighter_->V)) || polytope_.empty() || polytope_.nearest() != x;
+  };
+  // Where it lies outside of what can be held by rounding, it is approached from the inside.
+  const double V = try_load(x);
+  const Vector<3> inside = heavier_ ? heavier_->x : best_up_;
+  for (int k = 1; k <= 40 && !done() && !(V < infinity); ++k)
+    try_load(x + std::ldexp(1, -k) * (inside - x));
+  return done();
+}
+
+/// Between a lighter load and a heavier one that need at most t_ there is a posture that does.
+bool Search::cross() {
+  const Vector<3> from = lighter_->x, way = heavier_->x - from;
+  const double a = way.squaredNorm(), b = from.dot(way), c = 1 - from.squaredNorm();
+  const double before = best_V_;
+  visit((from + c / (b + std::sqrt(b * b + a * c)) * way).normalized(), nullptr);
+  return best_V_ < before;
+}
+
+void Search::begin_with(const Search& easier) {
+  if (easier.best_V_ < infinity) visit(easier.best_up_, &easier.best_row_);
+  for (Row row : easier.rows_) {
+    if (!row.plane) {
+      const ScaledGrasp<3>& grasp = scenarios_[row.scenario].grasp->scaled();
+      dual::Point<3> point(grasp.size);
+      dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), row.y, point);
+      row.phi = -point.value;
+    }
+    rows_.push_back(row);
+    cut(rows_.size() - 1, Polytope::none);
+  }
+}
+
+void Search::run() {
+  for (const Cone& cone : cones_)
+    if (best_V_ == infinity && inside(cone.axis)) visit(cone.axis, nullptr);
+  // A contact right under the com carries alone, perhaps in this posture only.
+  for (const Scenario& scenario : scenarios_)
+    for (const Vector<3>& up : on_one_contact(*scenario.grasp))
+      if (inside(up)) visit(up, nullptr);
+  if (limited_) {
+    const Evaluation none = evaluate(Vector<3>::Zero(), nullptr, true);
+    if (none.V < infinity) lighter_ = Load{Vector<3>::Zero(), none.V};
+  }
+  for (int step = 0; step < 20 * max_holds_ && holds_ < max_holds_; ++step) {
+    if ((1 - gap_) * best_V_ <= 1 / shares_) break;  // less holds nothing
+    const bool may_be_heavier = heavier_ && below(heavier_->V);
+    const bool may_be_lighter = lighter_ && below(lighter_->V);
+    // While neither is known it is tried in turns.
+    const bool outwards = may_be_heavier || (heavier_is_easier_ && !may_be_lighter);
+    heavier_is_easier_ = false;
+    const bool goes_on = may_be_heavier && may_be_lighter ? cross()
+                         : outwards ? recede() || !(may_be_heavier || proven())
+                                    : shrink();
+    if (!goes_on) break;
+  }
+}
+
+/// No load of the object's weight is left: what is left is lighter, or heavier.
+bool Search::proven() const {
+  return polytope_.empty() || polytope_[polytope_.farthest(true)].square <= 1 ||
+         polytope_.nearest().squaredNorm() > 1;
+}
+
+/// Forces add up to the weight: W^2 <= V sum share. The cuts may prove more.
+double Search::lower_bound() { return std::max(1 / shares_, bound_by_cuts()); }
+
+double Search::bound_by_cuts() {
+  // What rounding of vertices may make out, and of y where it is as good as infinitely long.
+  constexpr double safe = 1 - 1e-10;
+  if (!limited_) {
+    const std::size_t far = polytope_.farthest(true);
+    return safe / std::max(far == Polytope::none ? 0 : polytope_[far].square, 1e-40);
+  }
+  if (proven()) return safe * t_;
+  double least = 0, most = t_;
+  const auto rebuild_for = [&](double t) {
+    t_ = t;
+    polytope_ = box();
+    for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
+  };
+  for (int halving = 0; halving < 40; ++halving) {
+    rebuild_for((least + most) / 2);
+    (proven() ? least : most) = t_;
+  }
+  rebuild_for(least);
+  return safe * least;
+}
+
+std::vector<Cut> Search::certificate(double t) const {
+  std::vector<char> needed(6 + rows_.size(), 0);
+  for (std::size_t i = 0; i < polytope_.size(); ++i)
+    if (polytope_[i].alive)
+      for (const int id : polytope_[i].planes) needed[static_cast<std::size_t>(id)] = 1;
+  if (polytope_.farthest(true) == Polytope::none) std::fill(needed.begin(), needed.end(), 1);
+  std::vector<Cut> cuts;
+  for (std::size_t id = 0; id < needed.size(); ++id) {
+    if (needed[id] == 0 || (id < 6 && limited_ && t * shares_ > 4)) continue;
+    Cut cut;
+    Twist<3> y = Twist<3>::Zero();
+    if (id < 6) {
+      y[static_cast<Eigen::Index>(id / 2)] = (id % 2 == 0 ? 1 : -1) * std::sqrt(t / shares_);
+      cut.scenario = heaviest_;
+    } else {
+      const Row& row = rows_[id - 6];
+      if (row.plane) {
+        cut.n = row.n;
+        cuts.push_back(cut);
+        continue;
+      }
+      cut.scenario = row.scenario;
+      y = row.y;
+      const double half = t / (2 * std::pow(scenarios_[row.scenario].weight, 2));
+      // As long as is best for it; not so long that rounding would count.
+      if (!limited_)
+        y *= std::min(std::sqrt(half / row.phi), 1e10 * std::max(half, 1e-10) / row.y.norm());
+    }
+    cut.y = about_origin(*scenarios_[cut.scenario].grasp, y);
+    cuts.push_back(cut);
+  }
+  return cuts;
+}
+
+}  // namespace poise::search
