@@ -58,10 +58,11 @@ SpatialPosture posture(const std::vector<Scenario>& scenarios, const Vector<3>& 
     const HoldSettings settings{scenarios[s].cap};
     Hold<3> found = hold(grasp, up, settings);
     // At the border of what can be held rounding may decide.
-    if (!found.holdable && s == row.scenario)
+    if (!found.holdable)
       found = hold<3>(grasp, grasp.load(up), about_origin(grasp, row.y), settings);
     result.scenario_efforts.push_back(found.holdable ? found.effort : infinity);
-    if (s > 0 && result.scenario_efforts.back() <= result.hold.effort) continue;
+    if (s > 0 && result.scenario_efforts.back() <= result.scenario_efforts[result.scenario])
+      continue;
     result.hold = found;
     result.scenario = s;
   }

@@ -65,11 +65,34 @@ bool Search::inside(const Vector<3>& up) const {
                      [&](const Cone& cone) { return cone.excess(up) <= 1e-9; });
 }
 
+namespace {
+
+/// phi(G^T y), and what rounding of G^T y may hide of it: a cut must not be deeper than it is.
+double felt(const dual::Point<3>& point, bool limited) {
+  double power = 0, squared = 0, contacts = 0;
+  for (const dual::LaneForces<3, double>& lane : point.lanes) {
+    Lane zf{}, ff{};
+    for (int k = 0; k < contact_size<3>; ++k) {
+      zf += lane.z[k] * lane.f[k];
+      ff += lane.f[k] * lane.f[k];
+    }
+    power += dual::sum(zf);
+    squared += dual::sum(ff);
+    contacts += lane_size;
+  }
+  const double rounding = 1e-15 * std::sqrt(contacts) * dual::span(point.y);
+  const double phi = limited ? power - squared / 2 : squared / 2;
+  return phi + rounding * (std::sqrt(squared) + rounding / 2);
+}
+
+}  // namespace
+
 Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact) {
   Vector<3> x = given;
   if (std::all_of(thin_.begin(), thin_.end(),
                   [&](const Plane& plane) { return std::abs(plane.n.dot(given)) < 1e-6; }))
     x = OnPlanes(given, thin_).load();
+  if (inside(given) && !inside(x)) x = given;
   Evaluation worst;
   worst.V = -1;
   Wrench<3> w;
@@ -100,21 +123,28 @@ Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact)
     if (!(V > worst.V)) continue;
     worst.V = V;
     Row& row = worst.row;
-    // Where nothing holds, y goes far along a direction; farther may cut deeper.
+    row.phi = felt(point, limited_);
+    // Where nothing holds, y is a direction: farther along it may cut deeper, and so may less far
+    // where y is so long that its rounding counts.
     if (limited_ && !holdable) {
-      dual::Point<3> far = point;
-      dual::evaluate<3, double>(grasp, w, Twist<3>(1e3 * point.y), far);
       const double half = t_ / (2 * in_units);
-      if (far.value - half > 1e3 * (point.value - half)) point = far;
+      const auto depth = [&](const Twist<3>& y, double phi) {
+        return (y.dot(w) - phi - half) / y.cwiseAbs().sum();
+      };
+      const Twist<3> found = point.y;
+      Twist<3> best = found;
+      for (double times = 1e3; times > 1e-13; times *= 1e-3) {
+        dual::evaluate<3, double>(grasp, w, Twist<3>(times * found), point);
+        const double phi = felt(point, limited_);
+        if (!(depth(point.y, phi) > depth(best, row.phi))) continue;
+        best = point.y;
+        row.phi = phi;
+      }
+      point.y = best;
     }
     row.y = point.y;
     row.speed = point.y.head<3>().norm();
     row.n = point.y.head<3>() / row.speed;
-    // Rounding of G^T y must not make a cut deeper than it is.
-    const double rounding = 2.2e-16 * point.y.cwiseAbs().sum();
-    const double norm = std::sqrt(dual::squared_norm(point)) +
-                        rounding * std::sqrt(static_cast<double>(grasp.size));
-    row.phi = limited_ ? point.y.dot(w) - point.value : 0.5 * norm * norm;
     row.scenario = s;
     row.at = x;
     row.holdable = holdable;
@@ -132,7 +162,7 @@ void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
   dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), row.y, point);
   row.speed = row.y.head<3>().norm();
   row.n = row.y.head<3>() / row.speed;
-  row.phi = (limited_ ? -point.value : std::max(-point.value, 0.0)) + 1e-30 * row.y.squaredNorm();
+  row.phi = felt(point, limited_);
   row.scenario = scenario;
   rows_.push_back(row);
   cut(rows_.size() - 1, Polytope::none);
@@ -142,8 +172,8 @@ void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
 double Search::right_hand_side(const Row& row) const {
   if (row.plane) return 0;
   const double weight = scenarios_[row.scenario].weight, half = t_ / (2 * weight * weight);
-  const double felt = limited_ ? half + row.phi : 2 * std::sqrt(half * row.phi);
-  return (felt + dual::delta * dual::length<3, double>(row.y)) / row.speed;
+  const double most = limited_ ? half + row.phi : 2 * std::sqrt(half * row.phi);
+  return (most + (dual::delta + 1e-15) * dual::length<3, double>(row.y)) / row.speed;
 }
 
 bool Search::cut(std::size_t row, std::size_t hint) {
@@ -320,7 +350,7 @@ void Search::begin_with(const Search& easier) {
       const ScaledGrasp<3>& grasp = scenarios_[row.scenario].grasp->scaled();
       dual::Point<3> point(grasp.size);
       dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), row.y, point);
-      row.phi = -point.value;
+      row.phi = felt(point, limited_);
     }
     rows_.push_back(row);
     cut(rows_.size() - 1, Polytope::none);
