@@ -139,17 +139,18 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
   std::vector<std::pair<Vector<3>, Row>> found = {{full.best_up(), full.best_row()}};
   for (const Vector<3>& start : search::starts(full, domain, settings.starts)) {
     const auto minimum = search::descend(scenarios, domain, start);
-    if (std::none_of(found.begin(), found.end(), [&](const auto& other) {
-          return (other.first - minimum.first).norm() < 1e-3;
+    if (minimum && std::none_of(found.begin(), found.end(), [&](const auto& other) {
+          return (other.first - minimum->first).norm() < 1e-3;
         }))
-      found.push_back(minimum);
+      found.push_back(*minimum);
   }
   for (const auto& [up, row] : found) {
     SpatialPosture minimum = posture(scenarios, up, row);
     std::vector<Vector<3>> sharper;
     // The best is found no better than the gap tells.
     if (settings.starts > 0 && result.minima.empty())
-      sharper.push_back(search::descend(scenarios, domain, up).first);
+      if (const auto lower = search::descend(scenarios, domain, up))
+        sharper.push_back(lower->first);
     if (scenarios.size() == 1 && domain.empty())
       sharper.push_back(search::settled(scenarios.front(), up));
     for (const Scenario& scenario : scenarios)

@@ -32,10 +32,10 @@ std::optional<Vector<3>> slope(const Scenario& scenario, const Vector<3>& up) {
 }
 }  // namespace
 
-std::pair<Vector<3>, Row> descend(const std::vector<Scenario>& scenarios,
-                                  const std::vector<Cone>& domain, Vector<3> up) {
+std::optional<std::pair<Vector<3>, Row>> descend(const std::vector<Scenario>& scenarios,
+                                                 const std::vector<Cone>& domain, Vector<3> up) {
   constexpr double near = 0.1;
-  Row row;
+  std::optional<std::pair<Vector<3>, Row>> lowest;
   for (int step = 0; step < 60; ++step) {
     std::vector<Cone> cones = domain;
     cones.push_back({up, near});
@@ -44,10 +44,10 @@ std::pair<Vector<3>, Row> descend(const std::vector<Scenario>& scenarios,
     if (!(local.best_V() < infinity)) break;
     const double moved = std::acos(std::clamp(up.dot(local.best_up()), -1.0, 1.0));
     up = local.best_up();
-    row = local.best_row();
+    lowest = {up, local.best_row()};
     if (step > 0 && moved < 0.99 * near) break;
   }
-  return {up, row};
+  return lowest;
 }
 Vector<3> settled(const Scenario& scenario, Vector<3> up) {
   constexpr double h = 1e-5;

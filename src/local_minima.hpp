@@ -1,6 +1,7 @@
 // Local minima of the effort over the postures in space. Not installed.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -9,8 +10,9 @@
 namespace poise::search {
 
 /// Descends from `up` until it is the best of all postures within a little cone around it.
-std::pair<Vector<3>, Row> descend(const std::vector<Scenario>& scenarios,
-                                  const std::vector<Cone>& domain, Vector<3> up);
+/// None where the domain has no posture near `up` that can be held.
+std::optional<std::pair<Vector<3>, Row>> descend(const std::vector<Scenario>& scenarios,
+                                                 const std::vector<Cone>& domain, Vector<3> up);
 
 /// A minimum to all its digits, where the effort is smooth: the effort alone tells only half of
 /// them, and a finger that carries nothing there would seem to press a little.
