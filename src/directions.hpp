@@ -26,9 +26,10 @@ struct Cone {
     return beside.norm() > 1e-12 * x.norm() ? Vector<3>(beside.normalized())
                                             : Vector<3>(tangents(axis).col(0));
   }
-  /// The plane n . x <= 0 that touches the cone on x's side.
+  /// A plane n . x <= 0 of the cone: the one that touches it on x's side. Far behind x is cut
+  /// deeper by the plane across the axis.
   Vector<3> plane(const Vector<3>& x) const {
-    if (most >= pi / 2 || axis.dot(x) < 0) return -axis;
+    if (most >= pi / 2 || axis.dot(x) < -0.7 * x.norm()) return -axis;
     return std::cos(most) * across(x) - std::sin(most) * axis;
   }
   Vector<3> nearest(const Vector<3>& x) const {

@@ -247,7 +247,10 @@ bool Search::stay_inside(const Vector<3>& x, const std::array<int, 3>& planes, s
     row.n = cone.plane(x).normalized();
     row.plane = true;
     rows_.push_back(row);
-    if (!cut(rows_.size() - 1, vertex) && vertex != Polytope::none) polytope_[vertex].tried = true;
+    if (!cut(rows_.size() - 1, vertex) && vertex != Polytope::none) {
+      if (excess < 1e-9) continue;  // by rounding
+      polytope_[vertex].tried = true;
+    }
     if (excess < 1e-2) visit(cone.nearest(x), from != nullptr ? &start : nullptr);
     return true;
   }
