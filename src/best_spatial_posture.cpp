@@ -152,7 +152,7 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
       if (const auto lower = search::descend(scenarios, domain, up))
         sharper.push_back(lower->first);
     if (scenarios.size() == 1 && domain.empty())
-      sharper.push_back(search::settled(scenarios.front(), up));
+      sharper.push_back(search::settled(scenarios.front(), up, row));
     for (const Scenario& scenario : scenarios)
       for (const Vector<3>& alone : search::on_one_contact(*scenario.grasp))
         if ((alone - up).norm() < 1e-4 && (domain.empty() || domain.front().excess(alone) <= 0))

@@ -23,13 +23,20 @@ std::vector<Vector<3>> spiral(int count, const Cone& cone) {
   return points;
 }
 
-/// The slope of the effort at a posture, along the sphere; none where it cannot be held.
-std::optional<Vector<3>> slope(const Scenario& scenario, const Vector<3>& up) {
-  const Hold<3> found = hold(*scenario.grasp, up, {scenario.cap});
+/// The slope of the effort at a posture, along the sphere, and the y of its hold, from which others
+/// nearby start; none where it cannot be held.
+struct Slope {
+  Vector<3> along;
+  Twist<3> y;
+};
+std::optional<Slope> slope(const Scenario& scenario, const Vector<3>& up, const Twist<3>& start) {
+  const Grasp<3>& grasp = *scenario.grasp;
+  const Hold<3> found = hold<3>(grasp, grasp.load(up), start, {scenario.cap});
   if (!found.holdable) return {};
-  const Vector<3> v = about_com(*scenario.grasp, found.dual).head<3>();
-  return v - up.dot(v) * up;
+  const Vector<3> v = about_com(grasp, found.dual).head<3>();
+  return Slope{v - up.dot(v) * up, found.dual};
 }
+
 }  // namespace
 
 std::optional<std::pair<Vector<3>, Row>> descend(const std::vector<Scenario>& scenarios,
@@ -49,24 +56,27 @@ std::optional<std::pair<Vector<3>, Row>> descend(const std::vector<Scenario>& sc
   }
   return lowest;
 }
-Vector<3> settled(const Scenario& scenario, Vector<3> up) {
+Vector<3> settled(const Scenario& scenario, Vector<3> up, const Row& row) {
   constexpr double h = 1e-5;
-  std::optional<Vector<3>> here = slope(scenario, up);
-  for (int step = 0; step < 5 && here; ++step) {
-    const Eigen::Matrix<double, 3, 2> across = tangents(up);
-    Eigen::Matrix2d J;
-    for (int k = 0; k < 2; ++k) {
-      const auto beside = slope(scenario, (up + h * across.col(k)).normalized());
-      if (!beside) return up;
-      J.col(k) = across.transpose() * (*beside - *here) / h;
-    }
-    const Vector<2> way = -J.inverse() * (across.transpose() * *here);
-    if (!(J.determinant() > 0) || !(J.trace() > 0) || !(way.norm() < 1e-3)) return up;
+  std::optional<Slope> here = slope(scenario, up, about_origin(*scenario.grasp, row.y));
+  if (!here) return up;
+  const Eigen::Matrix<double, 3, 2> across = tangents(up);
+  Eigen::Matrix2d J;
+  for (int k = 0; k < 2; ++k) {
+    const auto beside = slope(scenario, (up + h * across.col(k)).normalized(), here->y);
+    if (!beside) return up;
+    J.col(k) = across.transpose() * (beside->along - here->along) / h;
+  }
+  if (!(J.determinant() > 0) || !(J.trace() > 0)) return up;
+  for (int step = 0; step < 8; ++step) {
+    const Vector<2> way = -J.inverse() * (across.transpose() * here->along);
+    if (!(way.norm() < 1e-3)) return up;
     const Vector<3> next = (up + across * way).normalized();
-    const auto there = slope(scenario, next);
-    if (!there || !(there->norm() < 0.5 * here->norm())) return up;
+    const auto there = slope(scenario, next, here->y);
+    if (!there || !(there->along.norm() < 0.5 * here->along.norm())) return up;
     up = next;
     here = there;
+    if (way.norm() < 1e-11) return up;
   }
   return up;
 }

@@ -16,7 +16,8 @@ std::optional<std::pair<Vector<3>, Row>> descend(const std::vector<Scenario>& sc
 
 /// A minimum to all its digits, where the effort is smooth: the effort alone tells only half of
 /// them, and a finger that carries nothing there would seem to press a little.
-Vector<3> settled(const Scenario& scenario, Vector<3> up);
+/// `row`: of a hold there.
+Vector<3> settled(const Scenario& scenario, Vector<3> up, const Row& row);
 
 /// Where to descend from: where steps down the slope lead from postures spread over the domain, and
 /// no two that are nearly the same.

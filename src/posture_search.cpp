@@ -1,5 +1,6 @@
 #include "posture_search.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -87,7 +88,50 @@ double felt(const dual::Point<3>& point, bool limited) {
 
 }  // namespace
 
-Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact) {
+Row Search::row(const dual::Point<3>& point, std::size_t scenario, const Vector<3>& at,
+                bool holdable) const {
+  Row row;
+  row.y = point.y;
+  row.speed = point.y.head<3>().norm();
+  row.n = point.y.head<3>() / row.speed;
+  row.phi = felt(point, limited_);
+  row.scenario = scenario;
+  row.at = at;
+  row.holdable = holdable;
+  return row;
+}
+
+namespace {
+
+/// Newton steps until what the dual may still gain is little beside what it adds to `known`, a
+/// bound on the effort. True where it then shows that w needs at least `least`; else `start` is
+/// where to go on from.
+bool probe(const ScaledGrasp<3>& grasp, const Wrench<3>& w, double known, double least,
+           Twist<3>& start, dual::Point<3>& point) {
+  dual::evaluate<3, double>(grasp, w, Twist<3>(start), point);
+  for (int step = 0; step < 6; ++step) {
+    const dual::Square<3, double> M = dual::curvature<double>(grasp, point);
+    const Twist<3> dy = dual::newton_step(M, point.residual);
+    const double gain = point.residual.dot(dy), before = point.value;
+    start = point.y;
+    if (!(dual::span(dy) < 3 * (1 + dual::span(start)))) return false;
+    dual::evaluate<3, double>(grasp, w, Twist<3>(start + dy), point);
+    if (!(point.value >= before + 0.1 * gain)) return false;
+    start = point.y;
+    if (2 * point.value < least) {
+      // It may be the best yet.
+      if (gain < 1e-3 * (least - 2 * point.value)) return false;
+      continue;
+    }
+    const double left = point.residual.dot(dual::newton_step(M, point.residual));
+    if (left <= 0.1 * (2 * point.value - known)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact, double known) {
   Vector<3> x = given;
   if (std::all_of(thin_.begin(), thin_.end(),
                   [&](const Plane& plane) { return std::abs(plane.n.dot(given)) < 1e-6; }))
@@ -101,15 +145,20 @@ Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact)
     const Scenario& scenario = scenarios_[s];
     const ScaledGrasp<3>& grasp = scenario.grasp->scaled();
     dual::Point<3> point(grasp.size);
-    const Twist<3> start =
+    Twist<3> start =
         from != nullptr && from->scenario == s ? from->y : dual::cold_start<3>(grasp, w);
     const double in_units = scenario.weight * scenario.weight;
+    if (known > 0 && probe(grasp, w, known / in_units, best_V_ / in_units, start, point)) {
+      ++holds_;
+      return {2 * in_units * point.value, row(point, s, x, true)};
+    }
     bool holdable = !exact && dual::approach(grasp, w, start, scenario.cap, point);
     double square = dual::squared_norm(point);
     // Where the two disagree again and again, beside what can be held, the first is not believed.
     if (holdable && !exact && !rough_ && improves(in_units * square) && refuted_ > 20) {
       holdable = false;
-    } else if (exact || (!rough_ && holdable && improves(in_units * square))) {
+    } else if (exact || (!rough_ && holdable && improves(in_units * square) &&
+                         point.residual.cwiseAbs().maxCoeff() > 0.5 * dual::delta)) {
       dual::Point<3> rough = point;
       const bool approached = holdable;
       holdable = dual::maximise(grasp, w, exact ? start : Twist<3>(point.y), scenario.cap, point);
@@ -122,8 +171,6 @@ Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact)
     const double V = holdable ? in_units * square : infinity;
     if (!(V > worst.V)) continue;
     worst.V = V;
-    Row& row = worst.row;
-    row.phi = felt(point, limited_);
     // Where nothing holds, y is a direction: farther along it may cut deeper, and so may less far
     // where y is so long that its rounding counts.
     if (limited_ && !holdable) {
@@ -133,21 +180,17 @@ Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact)
       };
       const Twist<3> found = point.y;
       Twist<3> best = found;
+      double least = felt(point, true);
       for (double times = 1e3; times > 1e-13; times *= 1e-3) {
         dual::evaluate<3, double>(grasp, w, Twist<3>(times * found), point);
         const double phi = felt(point, limited_);
-        if (!(depth(point.y, phi) > depth(best, row.phi))) continue;
+        if (!(depth(point.y, phi) > depth(best, least))) continue;
         best = point.y;
-        row.phi = phi;
+        least = phi;
       }
-      point.y = best;
+      dual::evaluate<3, double>(grasp, w, best, point);
     }
-    row.y = point.y;
-    row.speed = point.y.head<3>().norm();
-    row.n = point.y.head<3>() / row.speed;
-    row.scenario = s;
-    row.at = x;
-    row.holdable = holdable;
+    worst.row = row(point, s, x, holdable);
     if (!holdable) break;
   }
   return worst;
@@ -157,14 +200,8 @@ Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact)
 void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
   const ScaledGrasp<3>& grasp = scenarios_[scenario].grasp->scaled();
   dual::Point<3> point(grasp.size);
-  Row row;
-  row.y = 1e8 * y;
-  dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), row.y, point);
-  row.speed = row.y.head<3>().norm();
-  row.n = row.y.head<3>() / row.speed;
-  row.phi = felt(point, limited_);
-  row.scenario = scenario;
-  rows_.push_back(row);
+  dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), Twist<3>(1e8 * y), point);
+  rows_.push_back(row(point, scenario, Vector<3>::Zero(), false));
   cut(rows_.size() - 1, Polytope::none);
 }
 
@@ -190,8 +227,8 @@ void Search::rebuild() {
   for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
 }
 
-double Search::visit(const Vector<3>& up, const Row* from, std::size_t hint) {
-  Evaluation e = evaluate(up, from);
+double Search::visit(const Vector<3>& up, const Row* from, std::size_t hint, double known) {
+  Evaluation e = evaluate(up, from, false, known);
   const bool better = improves(e.V) && inside(up);
   rows_.push_back(e.row);
   if (better) {
@@ -225,6 +262,27 @@ Vector<3> Search::snapped(const Vector<3>& x, const std::array<int, 3>& planes) 
   return OnPlanes(up, meant(up, planes)).posture(up);
 }
 
+/// Where to start from at a vertex: between the y of its three planes, for while no contact changes
+/// its face y is linear; else at the nearest.
+std::optional<Row> Search::beside(const Vector<3>& x, const std::array<int, 3>& planes) const {
+  const Row* nearest = neighbour(x, planes);
+  if (nearest == nullptr) return {};
+  Row start = *nearest;
+  Eigen::Matrix3d at;
+  std::array<const Row*, 3> rows{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (planes[k] < 6) return start;
+    rows[k] = &rows_[static_cast<std::size_t>(planes[k] - 6)];
+    if (rows[k]->plane || !rows[k]->holdable || rows[k]->scenario != start.scenario) return start;
+    at.col(static_cast<Eigen::Index>(k)) = rows[k]->at;
+  }
+  const Vector<3> part = at.inverse() * x.normalized();
+  if (!(part.minCoeff() > -0.5) || !(part.maxCoeff() < 2)) return start;
+  start.y.setZero();
+  for (std::size_t k = 0; k < 3; ++k) start.y += part[static_cast<Eigen::Index>(k)] * rows[k]->y;
+  return start;
+}
+
 const Row* Search::neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const {
   const Row* nearest = nullptr;
   for (const int id : planes) {
@@ -249,7 +307,7 @@ bool Search::stay_inside(const Vector<3>& x, const std::array<int, 3>& planes, s
     rows_.push_back(row);
     if (!cut(rows_.size() - 1, vertex) && vertex != Polytope::none) {
       if (excess < 1e-9) continue;  // by rounding
-      polytope_[vertex].tried = true;
+      polytope_.pass_over(vertex);
     }
     if (excess < 1e-2) visit(cone.nearest(x), from != nullptr ? &start : nullptr);
     return true;
@@ -267,11 +325,10 @@ bool Search::shrink() {
   const std::array<int, 3> planes = polytope_[far].planes;
   if (stay_inside(x, planes, far)) return true;
   const Vector<3> up = snapped(x, planes);
-  const Row* nearest = neighbour(x, planes);
-  const Row start = nearest != nullptr ? *nearest : Row{};
-  const Row* from = nearest != nullptr ? &start : nullptr;
+  const std::optional<Row> start = beside(x, planes);
+  const Row* from = start ? &*start : nullptr;
   const double before = best_V_;
-  const double at_up = visit(up, from, far);
+  const double at_up = visit(up, from, far, limited_ ? 0 : 1 / polytope_[far].square);
   const bool holdable = at_up < infinity;
   if (limited_ && best_V_ < before) return true;
   const auto there_still = [&] { return polytope_[far].alive && polytope_[far].x == x; };
@@ -292,7 +349,7 @@ bool Search::shrink() {
       return true;
     }
   }
-  if (there_still()) polytope_[far].tried = true;
+  if (there_still()) polytope_.pass_over(far);
   // Vertices lie outside of what can be held: look from the inside, too.
   beyond_in_a_row_ = beyond ? beyond_in_a_row_ + 1 : 0;
   if (beyond_in_a_row_ < 2) return true;

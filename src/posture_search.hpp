@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "directions.hpp"
+#include "dual.hpp"
 #include "poise/best_spatial_posture.hpp"
 #include "polytope.hpp"
 #include "scaled_grasp.hpp"
@@ -56,7 +57,10 @@ class Search {
 
   /// V at weight `x` (unit vector: a posture), from the y of a row.
   /// Where it is far from the best, V is only rough; the row is right in any case.
-  Evaluation evaluate(const Vector<3>& x, const Row* from = nullptr, bool exact = false);
+  /// `known`, if not 0: an effort that is proven for it already. Where V is no less than the best
+  /// it may then be a lower bound.
+  Evaluation evaluate(const Vector<3>& x, const Row* from = nullptr, bool exact = false,
+                      double known = 0);
 
   void run();
   /// Takes over what was found for the same scenarios without max_normal.
@@ -89,7 +93,11 @@ class Search {
   bool below(double V) const { return V < infinity && V <= (1 - 0.5 * gap_) * best_V_; }
   bool inside(const Vector<3>& up) const;
   /// Evaluates, remembers the row and whether it is the best.
-  double visit(const Vector<3>& up, const Row* from, std::size_t hint = Polytope::none);
+  double visit(const Vector<3>& up, const Row* from, std::size_t hint = Polytope::none,
+               double known = 0);
+  Row row(const dual::Point<3>& point, std::size_t scenario, const Vector<3>& at,
+          bool holdable) const;
+  std::optional<Row> beside(const Vector<3>& x, const std::array<int, 3>& planes) const;
   std::vector<Plane> meant(const Vector<3>& x, const std::array<int, 3>& planes) const;
   Vector<3> snapped(const Vector<3>& x, const std::array<int, 3>& planes) const;
   const Row* neighbour(const Vector<3>& x, const std::array<int, 3>& planes) const;
