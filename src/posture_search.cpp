@@ -108,6 +108,9 @@ namespace {
 /// where to go on from.
 bool probe(const ScaledGrasp<3>& grasp, const Wrench<3>& w, double known, double least,
            Twist<3>& start, dual::Point<3>& point) {
+  // A very long y is of no use for other loads, and no start.
+  const auto too_long = [&](const Twist<3>& y) { return !(dual::span(y) < 1e4 * (1 + known)); };
+  if (too_long(start)) start = dual::cold_start<3>(grasp, w);
   dual::evaluate<3, double>(grasp, w, Twist<3>(start), point);
   for (int step = 0; step < 6; ++step) {
     const dual::Square<3, double> M = dual::curvature<double>(grasp, point);
@@ -116,7 +119,7 @@ bool probe(const ScaledGrasp<3>& grasp, const Wrench<3>& w, double known, double
     start = point.y;
     if (!(dual::span(dy) < 3 * (1 + dual::span(start)))) return false;
     dual::evaluate<3, double>(grasp, w, Twist<3>(start + dy), point);
-    if (!(point.value >= before + 0.1 * gain)) return false;
+    if (!(point.value >= before + 0.1 * gain) || too_long(point.y)) return false;
     start = point.y;
     if (2 * point.value < least) {
       // It may be the best yet.
