@@ -77,8 +77,8 @@ double felt(const dual::Point<3>& point, bool limited) {
       zf += lane.z[k] * lane.f[k];
       ff += lane.f[k] * lane.f[k];
     }
-    power += dual::sum(zf);
-    squared += dual::sum(ff);
+    power += sum(zf);
+    squared += sum(ff);
     contacts += lane_size;
   }
   const double rounding = 1e-15 * std::sqrt(contacts) * dual::span(point.y);
