@@ -399,5 +399,7 @@ bool maximise<3>(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>
 }
 
 template double lower_bound(const Point<3>&);
+template Square<3, double> curvature(const Cones<3>&, const Point<3>&);
+template Twist<3> newton_step(const Square<3, double>&, const Twist<3>&);
 
 }  // namespace poise::dual

@@ -22,9 +22,8 @@ Polytope::Polytope(double half) : rounding_(2e-15 * half) {
     }
     v.square = v.x.squaredNorm();
     v.alive = true;
-    vertices_.push_back(v);
+    add(v);
   }
-  in_patch_.assign(8, 0);
   for (int id = 0; id < 6; ++id)
     planes_.push_back({(id % 2 == 0 ? 1 : -1) * Vector<3>::Unit(id / 2), half});
 }
@@ -32,13 +31,20 @@ Polytope::Polytope(double half) : rounding_(2e-15 * half) {
 std::size_t Polytope::add(const Vertex& vertex) {
   if (free_.empty()) {
     vertices_.push_back(vertex);
+    squares_.push_back(vertex.square);
     in_patch_.push_back(0);
     return vertices_.size() - 1;
   }
   const std::size_t i = free_.back();
   free_.pop_back();
   vertices_[i] = vertex;
+  squares_[i] = vertex.square;
   return i;
+}
+
+void Polytope::remove(std::size_t vertex) {
+  vertices_[vertex].alive = false;
+  squares_[vertex] = -1;
 }
 
 bool Polytope::cut(const Vector<3>& n, double b, int id) {
@@ -76,7 +82,7 @@ bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
       if (in_patch_[vertices_[i].next[e]] == 0) edges_.push_back({i, e});
   for (const std::size_t i : patch_) in_patch_[i] = 0;
   if (edges_.empty()) {  // nothing is left
-    for (const std::size_t i : patch_) vertices_[i].alive = false;
+    for (const std::size_t i : patch_) remove(i);
     return true;
   }
   const auto first = [&](const Edge& e) { return vertices_[e.from].planes[(e.leaves + 1) % 3]; };
@@ -118,7 +124,7 @@ bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
       if (to.planes[e] != planes[0] && to.planes[e] != planes[1]) to.next[e] = i;
   }
   for (const std::size_t i : patch_) {
-    vertices_[i].alive = false;
+    remove(i);
     free_.push_back(i);
   }
   return true;
@@ -126,10 +132,12 @@ bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
 
 std::size_t Polytope::farthest(bool of_all) const {
   std::size_t best = none;
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    const Vertex& v = vertices_[i];
-    if (v.alive && (of_all || !v.tried) && (best == none || v.square > vertices_[best].square))
-      best = i;
+  double most = -0.5;
+  for (std::size_t i = 0; i < squares_.size(); ++i) {
+    const double square = of_all && vertices_[i].alive ? vertices_[i].square : squares_[i];
+    if (!(square > most)) continue;
+    most = square;
+    best = i;
   }
   return best;
 }

@@ -20,7 +20,7 @@ class Polytope {
     double square;                    ///< |x|^2
     std::array<int, 3> planes;        ///< ids
     std::array<std::size_t, 3> next;  ///< along the edge that leaves planes[k]
-    bool alive, tried;
+    bool alive;
   };
 
   /// |x_k| <= half; the planes' ids are 0, 1 (x at half, -half), 2, 3 (y), 4, 5 (z).
@@ -32,14 +32,15 @@ class Polytope {
   bool cut(const Vector<3>& n, double b, int id);
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  /// The vertex farthest from the origin, of all or of those not yet tried; none if there is none.
+  /// The vertex farthest from the origin, of all or of those not passed over; none if there is
+  /// none.
   std::size_t farthest(bool of_all) const;
+  void pass_over(std::size_t vertex) { squares_[vertex] = -1; }
   /// Its point nearest to the origin; must not be empty.
   Vector<3> nearest() const;
   bool empty() const { return farthest(true) == none; }
   /// Some direction between those of the far vertices.
   Vector<3> middle() const;
-  Vertex& operator[](std::size_t i) { return vertices_[i]; }
   const Vertex& operator[](std::size_t i) const { return vertices_[i]; }
   std::size_t size() const { return vertices_.size(); }
 
@@ -49,6 +50,7 @@ class Polytope {
   };
 
   std::size_t add(const Vertex& vertex);
+  void remove(std::size_t vertex);
 
   struct Plane {
     Vector<3> n = Vector<3>::Zero();
@@ -58,6 +60,7 @@ class Polytope {
   double rounding_;
   std::vector<Plane> planes_;  ///< by id; n is 0 where none was kept
   std::vector<Vertex> vertices_;
+  std::vector<double> squares_;  ///< of the vertices; -1 where not alive or passed over
   std::vector<std::size_t> free_, patch_, fan_;
   std::vector<char> in_patch_;
   std::vector<Edge> edges_;

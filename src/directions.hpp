@@ -1,0 +1,76 @@
+// Domains of postures: cones of directions, and planes through what can be held. Not installed.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <vector>
+
+#include "poise/posture.hpp"
+
+namespace poise::search {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+/// Postures at most an angle away from a direction.
+struct Cone {
+  Vector<3> axis;
+  double most;
+
+  /// By how much x is outside [rad].
+  double excess(const Vector<3>& x) const {
+    return std::atan2(axis.cross(x).norm(), axis.dot(x)) - most;
+  }
+  /// The unit vector across the axis towards x.
+  Vector<3> across(const Vector<3>& x) const {
+    const Vector<3> beside = x - axis.dot(x) * axis;
+    return beside.norm() > 1e-12 * x.norm() ? Vector<3>(beside.normalized())
+                                            : Vector<3>(tangents(axis).col(0));
+  }
+  /// A plane n . x <= 0 of the cone: the one that touches it on x's side. Far behind x is cut
+  /// deeper by the plane across the axis.
+  Vector<3> plane(const Vector<3>& x) const {
+    if (most >= pi / 2 || axis.dot(x) < -0.7 * x.norm()) return -axis;
+    return std::cos(most) * across(x) - std::sin(most) * axis;
+  }
+  Vector<3> nearest(const Vector<3>& x) const {
+    if (!(excess(x) > 0)) return x.normalized();
+    return std::cos(most) * axis + std::sin(most) * across(x);
+  }
+};
+
+struct Plane {
+  Vector<3> n;  ///< of length 1
+  double b;     ///< n . x = b
+};
+
+/// The point nearest to x on these planes, as the sum of what they fix and what they leave; x
+/// itself where they have no more than a point in common.
+struct OnPlanes {
+  OnPlanes(const Vector<3>& x, const std::vector<Plane>& planes) : along(x) {
+    std::vector<Plane> basis;
+    for (Plane plane : planes) {
+      for (const Plane& other : basis) {
+        const double part = other.n.dot(plane.n);
+        plane.n -= part * other.n;
+        plane.b -= part * other.b;
+      }
+      const double left = plane.n.norm();
+      if (left > 1e-4) basis.push_back({plane.n / left, plane.b / left});
+    }
+    if (basis.size() > 2) return;
+    for (const Plane& plane : basis) {
+      along -= plane.n.dot(along) * plane.n;
+      fixed += plane.b * plane.n;
+    }
+  }
+  Vector<3> load() const { return fixed + along; }
+  /// The posture in this direction; `up` if there is none.
+  Vector<3> posture(const Vector<3>& up) const {
+    const double rest = 1 - fixed.squaredNorm();
+    if (!(along.norm() > 1e-3) || !(rest > 0)) return up;
+    return (fixed + std::sqrt(rest) * along.normalized()).normalized();
+  }
+  Vector<3> fixed = Vector<3>::Zero(), along;
+};
+
+}  // namespace poise::search
