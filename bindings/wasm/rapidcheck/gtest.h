@@ -65,19 +65,25 @@ struct Failure {
   int line;
 };
 
+/// Whether all cases pass; says which does not.
+template <class Property>
+bool check(const Property& property) {
+  for (int k = 0; k < cases; ++k) try {
+      property();
+    } catch (const Failure& failure) {
+      ADD_FAILURE() << failure.file << ":" << failure.line << ": case " << k << ": not "
+                    << failure.what;
+      return false;
+    }
+  return true;
+}
+
 }  // namespace rc
 
 #define RC_ASSERT(...) \
   static_cast<void>((__VA_ARGS__) ? 0 : throw rc::Failure{#__VA_ARGS__, __FILE__, __LINE__})
 
-#define RC_GTEST_PROP(Suite, Name, Arguments)                                       \
-  void rc_##Suite##_##Name Arguments;                                               \
-  TEST(Suite, Name) {                                                               \
-    for (int k = 0; k < rc::cases; ++k) try {                                       \
-        rc_##Suite##_##Name();                                                      \
-      } catch (const rc::Failure& failure) {                                        \
-        FAIL() << failure.file << ":" << failure.line << ": case " << k << ": not " \
-               << failure.what;                                                     \
-      }                                                                             \
-  }                                                                                 \
+#define RC_GTEST_PROP(Suite, Name, Arguments)           \
+  void rc_##Suite##_##Name Arguments;                   \
+  TEST(Suite, Name) { rc::check(rc_##Suite##_##Name); } \
   void rc_##Suite##_##Name Arguments
