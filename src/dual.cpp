@@ -219,24 +219,26 @@ Twist<2> cold_start_two(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
   const Twist<2> y = grasp.inverse * w;
   const ContactLane<2>& c = grasp.lanes[0];
   // Forces of the two contacts without internal force.
-  const Lane ux = y[0] + y[2] * c.jx, uy = y[1] + y[2] * c.jy;
-  const Lane n = c.nx * ux + c.ny * uy, t = c.nx * uy - c.ny * ux;
+  const auto pair = [](const Lane& x) { return Pair{x[0], x[1]}; };
+  const Pair nx = pair(c.nx), ny = pair(c.ny), mu = pair(c.mu);
+  const Pair ux = y[0] + y[2] * pair(c.jx), uy = y[1] + y[2] * pair(c.jy);
+  const Pair n = nx * ux + ny * uy, t = nx * uy - ny * ux;
   // mu n -+ t >= 0 of both contacts bound alpha from below where it grows with alpha, else from
   // above.
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const Lane zero{}, none = zero + infinity;
-  Lane from[2], to[2];
+  const Pair zero{}, none = {infinity, infinity};
+  Pair from[2], to[2];
   for (int side = 0; side < 2; ++side) {
-    const Lane per_margin = grasp.internal.per_margin[side];
-    const Lane alpha = ((side == 0 ? t : -t) - c.mu * n) * per_margin;
+    const Pair per_margin = grasp.internal.per_margin[side];
+    const Pair alpha = ((side == 0 ? t : -t) - mu * n) * per_margin;
     from[side] = per_margin > zero ? alpha : -none;
     to[side] = per_margin < zero ? alpha : none;
   }
-  const Lane froms = larger(from[0], from[1]), tos = smaller(to[0], to[1]);
+  const Pair froms = larger(from[0], from[1]), tos = smaller(to[0], to[1]);
   const double least = std::max(froms[0], froms[1]), greatest = std::min(tos[0], tos[1]);
   const double alpha = std::min(std::max(0.0, least), greatest);
   if (alpha == 0 || !(least <= greatest)) return y;
-  const Lane* const stops = alpha > 0 ? from : to;
+  const Pair* const stops = alpha > 0 ? from : to;
   const int i = stops[0][0] == alpha || stops[1][0] == alpha ? 0 : 1;
   const int side = stops[0][i] == alpha ? 0 : 1;
   const double lambda = alpha * grasp.internal.square * grasp.internal.per_margin[side][i];

@@ -110,10 +110,13 @@ struct Cones {
   SmallVector<ContactLane<Dim, T>, 16 / lane_size_of<T>> lanes;
 };
 
+/// Of two contacts.
+using Pair = double __attribute__((vector_size(16)));
+
 /// Two contacts in the plane have one internal force, along the line between them: how far it goes
 /// until mu n - t (first) or mu n + t of a contact vanishes.
 struct InternalForce {
-  Lane per_margin[2];  ///< 1 / the rate at which it grows; 0 where it stays
+  Pair per_margin[2];  ///< 1 / the rate at which it grows; 0 where it stays
   double square;       ///< of its length
 };
 
