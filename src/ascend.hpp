@@ -162,14 +162,15 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
   evaluate_at(start);
   // Where steps are cut short again and again, the next heeds the faces passed before: else
   // it zigzags between them near the limit of holding.
-  Square<Dim, T> M;
+  Square<Dim, T> passed = Square<Dim, T>::Zero();
   T error = std::numeric_limits<double>::infinity();
   for (int step = 0; step < 100; ++step) {
     [[maybe_unused]] const T last_error = error;
     error = point.residual.cwiseAbs().maxCoeff();
-    if (above_cap() || !(span(point.y) < 1e100)) return false;
+    const T distance = span(point.y);
+    if (above_cap() || !(distance < 1e100)) return false;
     if (rho > 0 || !std::is_same_v<T, double>) {
-      if (error <= 4500 * rounding + 45 * rounding * span(point.y))
+      if (error <= 4500 * rounding + 45 * rounding * distance)
         return rho > 0 || size<Dim, T>(point.residual) <= 0.5 * delta;
     } else if constexpr (std::is_same_v<T, double>) {
       // In space there are no faces to polish on cheaply, so less has to do.
@@ -177,18 +178,16 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
       if (error <= near && std::abs(point.y.dot(point.residual)) <= off * std::abs(point.value))
         return true;
       const bool stalled = Dim == 2 || error > 0.1 * last_error;
-      if (((settled && stalled) || error <= delta / 2 + 1e-14 * span(point.y)) &&
+      if (((settled && stalled) || error <= delta / 2 + 1e-14 * distance) &&
           (rough || polish(grasp, w, 1e-13, point)))
         return !above_cap();
       if (unbounded && error <= 0.5 * delta) return true;
     }
 
-    if (cuts > 1)
-      M = curvature_here() + T(0.5) * M;
-    else
-      M = curvature_here();
+    Square<Dim, T> M = curvature_here();
+    if (cuts > 1) M += T(0.5) * passed;
     Screw<Dim, T> dy = newton_step(M, point.residual);
-    const T reach = (step < 4 ? 3 : 100) * (1 + span(point.y)), stretch = span(dy);
+    const T reach = (step < 4 ? 3 : 100) * (1 + distance), stretch = span(dy);
     if (stretch > reach) {
       M.diagonal().array() += point.residual.norm() / reach;
       dy = newton_step(M, point.residual);
@@ -230,6 +229,7 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
       unbounded = rise == Rise::none;
     }
     cuts = cut ? cuts + 1 : 0;
+    if (cuts > 1) passed = M;
   }
   return size<Dim, T>(point.residual) <= 0.5 * delta;
 }
