@@ -60,9 +60,9 @@ function contactsInWords(contacts: Contacts, hold: AnyHeld): string {
 /** How much more the posture would hold. */
 function stillHolds({ weight, holdable, greatest_weight, friction_factor }: Margins): string {
   if (!holdable || friction_factor === null || friction_factor > 1) return '';
-  const load = greatest_weight === null ? 'any weight' : `up to ${newtons(greatest_weight)} (${plain(greatest_weight / weight)} times the weight)`;
   const friction = friction_factor < 1e-3 ? 'with nearly no friction' : `with no less than ${percent(friction_factor)} of the friction`;
-  return `In this posture the fingers still hold ${load}, and this weight ${friction}.`;
+  if (greatest_weight === null) return `This weight would be held ${friction}, and a heavier object with forces that grow with it.`;
+  return `In this posture the fingers still hold up to ${newtons(greatest_weight)} (${plain(greatest_weight / weight)} times the weight), and this weight ${friction}.`;
 }
 
 const leftOut = ({ best, check }: PlanarAnswers, angle: number) =>
