@@ -61,8 +61,8 @@ RC_GTEST_PROP(SpaceVerified, BestsOfAnyGraspAre, ()) {
   settings.starts = one_in(10) ? 8 : 0;
   settings.tilt = file.tilt;
   const Eigen::Quaterniond lying(Eigen::AngleAxisd(1.2, Vector<3>(0.6, 0.64, 0.48)));
-  RC_ASSERT(
-      refuted(file, best_document(grasps, best_posture(grasps, settings), settings, lying)) == "");
+  RC_ASSERT(refuted(file, best_document(grasps, best_posture(grasps, settings), settings, lying)) ==
+            "");
 }
 
 }  // namespace

@@ -60,9 +60,9 @@ struct Arguments {
   std::optional<Eigen::Quaterniond> orientation{};  ///< object to world
   std::optional<std::string> plot{};                ///< the SVG file to draw
   std::string page{};                               ///< the file to write the page to
-  std::string out{};        ///< the file to write; "": print it
-  std::string mesh_root{};  ///< of ACRONYM: the folder that has the meshes
-  std::size_t grasp{0};     ///< of `import`: which one of the file
+  std::string out{};                                ///< the file to write; "": print it
+  std::string mesh_root{};                          ///< of ACRONYM: the folder that has the meshes
+  std::size_t grasp{0};                             ///< of `import`: which one of the file
   PaperArguments paper{};
   BatchArguments batch{};
 };

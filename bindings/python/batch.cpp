@@ -1,8 +1,7 @@
-#include "batch/record.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "batch/record.hpp"
 #include "module.hpp"
 #include "values.hpp"
 

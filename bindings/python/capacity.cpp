@@ -61,7 +61,8 @@ void add_types(py::module_& module) {
            }));
 
   py::class_<AnyRange>(module, "WeightRange",
-                       "All weights that can be held in a posture: an interval, since forces that hold two weights mix.")
+                       "All weights that can be held in a posture: an interval, since forces that "
+                       "hold two weights mix.")
       .def_property_readonly("holdable",
                              each<AnyRange>([](const auto& range) { return range.holdable; }),
                              "Whether there are any.")

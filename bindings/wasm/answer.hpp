@@ -18,8 +18,8 @@ namespace poise {
 ///   planes   {"cuts": those of best}: {"planes": [{"a", "b"}, ...]}: for every x in R^3 the effort
 ///            of the load x (1 is the weight) is at least a . x - b [N^2]; of the planes of a tilt
 ///            a . x <= 0
-/// And {"command": "read", "bytes", "file"} gives the grasp file in JSON and SI units that a file in
-/// YAML or JSON spells; its bytes are in hexadecimal digits, and left out where there are none.
+/// And {"command": "read", "bytes", "file"} gives the grasp file in JSON and SI units that a file
+/// in YAML or JSON spells; its bytes are in hexadecimal digits, and left out where there are none.
 ///
 /// For a request that makes no sense: {"error": {"path", "line", "column", "problem", "message"}},
 /// where in the request, or, within the grasp, where in the grasp file.
