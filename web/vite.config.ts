@@ -12,7 +12,7 @@ const coreAsText: Plugin = {
   resolveId: (id) => (id === 'virtual:core' ? id : undefined),
   load: (id) =>
     id === 'virtual:core'
-      ? `export default '${execFileSync('xz', ['--format=lzma', '-9e', '-c', built('wasm/poise.wasm')], { maxBuffer: 2 ** 26 }).toString('base64')}'`
+      ? `export default '${execFileSync('xz', ['--format=lzma', '--lzma1=preset=9e,lc=4,pb=0', '-c', built('wasm/poise.wasm')], { maxBuffer: 2 ** 26 }).toString('base64')}'`
       : undefined,
 };
 
