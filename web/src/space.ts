@@ -90,9 +90,9 @@ export class SpatialModel {
     return this.mesh ? [] : this.answers.check.warnings;
   }
 
-  /** On its way to a posture. */
+  /** On its way to a posture, or there, and not yet asked how it is held. */
   get turning(): boolean {
-    return this.moving !== 0;
+    return this.moving !== 0 || this.pending;
   }
 
   /** The direction of the object that points up. */
