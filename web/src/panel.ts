@@ -150,6 +150,8 @@ abstract class Controls<Model extends Held> {
       );
     });
     const heads = ['finger', 'friction μ', ...(soft ? ['torsion [m]'] : []), 'least [N]', 'most [N]', 'normal', 'used'];
+    // Where there is no room for the heads, each cell says its own.
+    for (const row of rows) [...row.children].forEach((cell, k) => cell.setAttribute('data-head', heads[k]!));
     return html('div', { class: 'scroll' },
       html('table', { class: soft ? 'soft' : '' },
         html('thead', {}, html('tr', {}, ...heads.map((head) => html('th', { scope: 'col' }, head)))),
