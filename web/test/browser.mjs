@@ -14,7 +14,11 @@ export function expect(holds, what, ...seen) {
 }
 export const near = (a, b, relative = 1e-9) => Math.abs(a - b) <= relative * Math.max(Math.abs(a), Math.abs(b), 1);
 
+/** Waits end as soon as what they wait for is there; this is for a machine with much else to do. */
+export const patience = 180000;
+
 export const browser = await chromium.launch({
+  timeout: patience,
   executablePath: '/usr/bin/chromium',
   args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run', '--disable-sync',
     '--disable-background-networking', '--disable-component-update'],
@@ -22,12 +26,13 @@ export const browser = await chromium.launch({
 
 export async function open(file, { width = 1280, height = 800, colorScheme = 'light' } = {}) {
   const page = await browser.newPage({ viewport: { width, height }, colorScheme });
+  page.setDefaultTimeout(patience);
   page.on('console', (message) => expect(false, 'a console message', message.text()));
   page.on('pageerror', (error) => expect(false, 'an error', error.stack));
   page.on('request', (request) => expect(/^(file|data|blob):/.test(request.url()), 'a request', request.url()));
   const begin = performance.now();
   await page.goto(`file://${file}`);
-  await page.waitForSelector('body[data-ready="1"]', { timeout: 20000 });
+  await page.waitForSelector('body[data-ready="1"]');
   page.ready = Math.round(performance.now() - begin);
   return page;
 }
@@ -51,7 +56,7 @@ export async function drag(page, selector, dx, dy) {
 }
 
 /** In space: everything there is to know has come from the worker. */
-export const settled = (page) => page.waitForSelector('body[data-settled="1"]', { timeout: 60000 });
+export const settled = (page) => page.waitForSelector('body[data-settled="1"]');
 
 export async function finish() {
   await browser.close();

@@ -142,6 +142,8 @@ for (const colorScheme of ['light', 'dark']) {
   await dark.screenshot({ path: `${out}${colorScheme}.png` });
   const phone = await open(`${root}web/dist/playground.html`, { width: 390, height: 844, colorScheme });
   const { scroll, client } = await phone.evaluate(() => ({ scroll: document.documentElement.scrollWidth, client: document.documentElement.clientWidth }));
+  const cut = await phone.$$eval('.scroll', (all) => all.filter((each) => each.scrollWidth > each.clientWidth).length);
+  expect(cut === 0, 'no table is cut');
   expect(scroll <= client, 'nothing is wider than a phone', scroll, client);
   await phone.screenshot({ path: `${out}phone-${colorScheme}.png`, fullPage: true });
 }

@@ -1,7 +1,7 @@
 // The page in space, and its files: node test/space.mjs
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { browser, drag, expect, finish, frame, near, open, out, root, settled, verdict } from './browser.mjs';
+import { browser, drag, expect, finish, frame, near, open, out, patience, root, settled, verdict } from './browser.mjs';
 
 const built = `${root}web/dist/playground.html`;
 const poise = (...parameters) => spawnSync(`${root}build/poise`, parameters, { encoding: 'utf8', cwd: `${out}files` });
@@ -27,12 +27,15 @@ for (const label of labels) {
   const space = JSON.parse(grasp).dimension === 3;
   if (space) await settled(page);
   await frame(page);
-  const ask = (...parameters) => JSON.parse(execFileSync(`${root}build/poise`, [...parameters, '-', '--json'], { input: grasp, stdio: ['pipe', 'pipe', 'ignore'] }));
+  // Undefined where the program says that nothing holds it.
+  const ask = (command) => {
+    const { status, stdout, stderr } = spawnSync(`${root}build/poise`, [command, '-', '--json'], { input: grasp, encoding: 'utf8', maxBuffer: 2 ** 26 });
+    if (status !== 0 && status !== 1) throw new Error(`poise ${command}, ${label}: exit ${status}: ${stderr}`);
+    return status === 0 ? JSON.parse(stdout) : undefined;
+  };
   const shown = await page.$$eval('#minima button', (all) => all.map((each) => Array.from(each.querySelectorAll('span, strong'), (part) => part.textContent).filter(Boolean)));
-  let best;
-  try {
-    best = ask('best');
-  } catch {
+  const best = ask('best');
+  if (!best) {
     expect(shown.length === 0 && label.includes('4(c): '), `${label}: nothing holds it`, shown);
     continue;
   }
@@ -45,10 +48,8 @@ for (const label of labels) {
   expect(found.sort().join('\n') === wanted.sort().join('\n'), label, found, wanted);
   const main = shown.find((parts) => parts.includes('best'));
   expect(main?.[1] === `${four(best.best.force_norm)} N`, `${label}: the best`, main);
-  let hold;
-  try {
-    hold = ask('hold');
-  } catch {
+  const hold = ask('hold');
+  if (!hold) {
     expect((await verdict(page)).includes('cannot be held'), `${label}: not held now`, await verdict(page));
     continue;
   }
@@ -148,7 +149,10 @@ for (const as of ['yaml', 'json']) {
   writeFileSync(`${out}files/bottle.${as}`, await saved(page, as));
   const { best } = JSON.parse(poise('best', `bottle.${as}`, '--json').stdout);
   expect(near(best.force_norm, 11.5843, 1e-4), `saved as ${as}`, best.force_norm);
+  await page.evaluate(() => delete document.body.dataset.opening);
   await page.setInputFiles('#file', `${out}files/bottle.${as}`);
+  await page.waitForSelector('body[data-opening=""]');
+  await frame(page);
   await settled(page);
   expect((await page.textContent('#problem')) === '', `opened from ${as}`, await page.textContent('#problem'));
 }
@@ -223,6 +227,7 @@ await viewed.close();
 
 // Nothing leaves the page, even if it wanted to.
 const quiet = await browser.newPage();
+quiet.setDefaultTimeout(patience);
 await quiet.goto(`file://${built}`);
 await quiet.waitForSelector('body[data-ready="1"]');
 const refused = await quiet.evaluate(async () => {
@@ -242,6 +247,8 @@ for (const colorScheme of ['light', 'dark'])
     await settled(shot);
     await frame(shot);
     const { scroll, client } = await shot.evaluate(() => ({ scroll: document.documentElement.scrollWidth, client: document.documentElement.clientWidth }));
+    const cut = await shot.$$eval('.scroll', (all) => all.filter((each) => each.scrollWidth > each.clientWidth).length);
+    expect(cut === 0, 'no table is cut');
     expect(scroll <= client, 'nothing is wider than the window', scroll, client);
     await shot.screenshot({ path: `${out}${name}-${colorScheme}.png`, fullPage: name !== 'space' });
     await shot.close();
