@@ -75,6 +75,7 @@ await choose(page, 'Fig. 6: φ = 75°, μ = 1 and 1/√3');
 const changes = async (what, act) => {
   const before = [await verdict(page), JSON.stringify(await minima(page))];
   await act();
+  await frame(page);  // moves may have come only with the release of the button
   const after = [await verdict(page), JSON.stringify(await minima(page))];
   expect(before[0] !== after[0], `${what}: the hold changes`, after[0]);
   return before[1] !== after[1];
