@@ -2,6 +2,7 @@
 #include "gripper/gripper.hpp"
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -210,6 +211,15 @@ TEST(Surface, OfAMeshIsItsFirstTriangle) {
     }
   }
   EXPECT_GT(met, 900);
+}
+
+TEST(Surface, OfAMeshLeavesTheProcessItsThreads) {
+  using Control = oneapi::tbb::global_control;
+  const auto threads = [] { return Control::active_value(Control::max_allowed_parallelism); };
+  const std::size_t before = threads();
+  const Surface surface(solid_of(box_mesh({1, 1, 1})));
+  EXPECT_TRUE(surface.first({-1, 0.5, 0.5}, {1, 0, 0}));
+  EXPECT_EQ(threads(), before);
 }
 
 TEST(ParallelJaw, MovesWithTheObject) {

@@ -1,4 +1,5 @@
 #include <embree3/rtcore.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <limits>
@@ -11,8 +12,7 @@ namespace {
 
 class Embree : public TriangleFinder {
  public:
-  explicit Embree(const Mesh& mesh)
-      : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
+  explicit Embree(const Mesh& mesh) : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
     // Single precision: as seen from the middle, in units of the size.
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
@@ -36,7 +36,9 @@ class Embree : public TriangleFinder {
     rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);  // no ray slips through between triangles
-    rtcCommitScene(scene_);
+    // By this thread alone: always the same tree. (The device's own threads=1 would hold for all
+    // work of the process.)
+    oneapi::tbb::task_arena(1).execute([&] { rtcCommitScene(scene_); });
   }
   ~Embree() override {
     rtcReleaseScene(scene_);
