@@ -19,54 +19,74 @@ using Arrays = std::vector<NamedArray>;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// The postures of one kind in all records of a data file; null where there is none.
-void add_postures(Arrays& arrays, const std::string& kind, const std::vector<Json>& holds) {
-  NamedArray up{kind + "_up", 3, {}, {{"units", "1"}}};
-  NamedArray effort{kind + "_effort", 1, {}, {{"units", "N^2"}}};
-  NamedArray normal{kind + "_normal_force", 1, {}, {{"units", "N"}}};
-  std::string labels;
-  for (const Json& hold : holds) {
-    if (!hold.contains("fingers")) continue;
-    normal.width = hold["fingers"].size();
-    for (const Json& finger : hold["fingers"])
-      labels += (labels.empty() ? "" : ",") + finger["finger"].get<std::string>();
-    break;
-  }
-  normal.attributes.emplace_back("fingers", labels);
-  for (const Json& hold : holds) {
+/// The postures of one kind in all records of a data file.
+class Postures {
+ public:
+  explicit Postures(const std::string& kind)
+      : up_{kind + "_up", 3, {}, {{"units", "1"}}},
+        effort_{kind + "_effort", 1, {}, {{"units", "N^2"}}},
+        normal_{kind + "_normal_force", 1, {}, {{"units", "N"}}} {}
+
+  /// That of the next record; null, or without fingers, where there is none.
+  void add(const Json& hold) {
     const bool held = hold.contains("fingers");
+    if (held && fingers_.empty()) name_fingers(hold["fingers"]);
     for (std::size_t k = 0; k < 3; ++k)
-      up.values.push_back(held ? hold["up"][k].get<double>() : none);
-    effort.values.push_back(held ? hold["effort"].get<double>() : none);
-    for (std::size_t k = 0; k < normal.width; ++k)
-      normal.values.push_back(held ? hold["fingers"][k]["normal_force"].get<double>() : none);
+      up_.values.push_back(held ? hold["up"][k].get<double>() : none);
+    effort_.values.push_back(held ? hold["effort"].get<double>() : none);
+    for (std::size_t k = 0; k < normal_.width; ++k)
+      normal_.values.push_back(held ? hold["fingers"][k]["normal_force"].get<double>() : none);
   }
-  arrays.insert(arrays.end(), {std::move(up), std::move(effort), std::move(normal)});
-}
+
+  void move_to(Arrays& arrays) {
+    normal_.attributes.emplace_back("fingers", fingers_);
+    arrays.insert(arrays.end(), {std::move(up_), std::move(effort_), std::move(normal_)});
+  }
+
+ private:
+  void name_fingers(const Json& fingers) {
+    for (const Json& finger : fingers)
+      fingers_ += (fingers_.empty() ? "" : ",") + finger["finger"].get<std::string>();
+    normal_.width = fingers.size();
+    normal_.values.assign(normal_.width * effort_.values.size(), none);
+  }
+
+  NamedArray up_, effort_, normal_;
+  std::string fingers_;
+};
 
 /// The records of one data file.
-Arrays arrays_of(const std::vector<Json>& records) {
-  NamedArray holdable{"holdable", 1, {}, {{"values", "1: holdable, 0: unholdable, -1: bad"}}, true};
-  std::vector<Json> best, pinched, hold;
-  for (const Json& record : records) {
+class FileArrays {
+ public:
+  void add(const Json& record) {
     const bool bad = record.contains("error"), one = record.contains("holdable");
-    best.push_back(record.value("best", Json()));
-    pinched.push_back(record.value("best_pinched", Json()));
-    if (one) hold.resize(best.size());  // null where a grasp is bad
-    if (one) hold.back() = record;
-    const bool held = one ? record["holdable"].get<bool>() : !best.back().is_null();
-    holdable.values.push_back(bad ? -1 : held);
+    const Json best = record.value("best", Json());
+    best_.add(best);
+    pinched_.add(record.value("best_pinched", Json()));
+    hold_.add(one ? record : Json());
+    of_holds_ = of_holds_ || one;
+    const bool held = one ? record["holdable"].get<bool>() : !best.is_null();
+    holdable_.values.push_back(bad ? -1 : held);
   }
-  Arrays arrays{std::move(holdable)};
-  if (!hold.empty()) {
-    hold.resize(records.size());
-    add_postures(arrays, "hold", hold);
+  bool empty() const { return holdable_.values.empty(); }
+
+  Arrays arrays() && {
+    Arrays arrays{std::move(holdable_)};
+    if (of_holds_) {
+      hold_.move_to(arrays);
+    } else {
+      best_.move_to(arrays);
+      pinched_.move_to(arrays);
+    }
     return arrays;
   }
-  add_postures(arrays, "best", best);
-  add_postures(arrays, "best_pinched", pinched);
-  return arrays;
-}
+
+ private:
+  NamedArray holdable_{
+      "holdable", 1, {}, {{"values", "1: holdable, 0: unholdable, -1: bad"}}, true};
+  Postures best_{"best"}, pinched_{"best_pinched"}, hold_{"hold"};
+  bool of_holds_{false};
+};
 
 /// A file that becomes another one, or vanishes.
 struct Part {
@@ -83,20 +103,20 @@ void write_hdf5(const std::string& records, const std::string& path) {
   const Part part(path + ".part");
   std::ifstream in(records, std::ios::binary);
   std::string file;
-  std::vector<Json> same;
-  const auto add = [&] {
+  FileArrays same;
+  const auto write = [&] {
     if (same.empty()) return;
-    add_arrays(part.path, std::filesystem::path(file).stem().string(), arrays_of(same));
-    same.clear();
+    add_arrays(part.path, std::filesystem::path(file).stem().string(), std::move(same).arrays());
+    same = {};
   };
   try {
     for (std::string line; std::getline(in, line);) {
-      Json record = Json::parse(line);
-      if (record.at("file") != file) add();
+      const Json record = Json::parse(line);
+      if (record.at("file") != file) write();
       file = record["file"];
-      same.push_back(std::move(record));
+      same.add(record);
     }
-    add();
+    write();
   } catch (const WriteError& error) {
     throw FileError(path, {}, "", error.what());
   }

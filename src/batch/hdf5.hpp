@@ -8,7 +8,7 @@ namespace poise {
 /// Puts the records of a finished run into an HDF5 file: for each data file a group, named after it
 /// without its folder and its .h5, whose arrays are in the order of its /grasps/transforms. The
 /// file appears when it is whole.
-/// @param records  JSON Lines, of which only one data file's at a time are in memory
+/// @param records  JSON Lines; the arrays of one data file at a time are in memory
 /// @throws FileError where it cannot be written
 void write_hdf5(const std::string& records, const std::string& path);
 
