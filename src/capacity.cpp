@@ -226,12 +226,17 @@ class FrictionSearch {
     if (probe(0)) return found_;
     double step = wanted;
     for (int k = 0; k < most_probes && found_.bound < most_friction; ++k) {
-      const double factor = found_.bound * (1 + step), gap = found_.factor - found_.bound;
-      if (factor >= found_.factor || (factor > 0 && probe(factor))) break;
-      if (found_.bound <= factor) step *= 8;
+      const double bound = found_.bound, gap = found_.factor - bound;
+      if (gap < infinity && gap <= wanted * found_.factor) break;
+      const double near = bound * (1 + step);
+      if (near > 0 && near < found_.factor) {
+        probe(near);
+        if (found_.bound <= near) step *= 8;
+      }
       // Where proofs reach not far, halving does.
       if (!(found_.factor - found_.bound <= gap / 2))
-        probe(gap < infinity ? found_.bound + gap / 2 : 2 * std::max(found_.bound, 1.0));
+        probe(gap < infinity ? bound + gap / 2 : 2 * std::max(bound, 1.0));
+      if (found_.bound == bound && found_.factor - bound == gap) break;  // rounding leaves it open
     }
     return found_;
   }
