@@ -84,41 +84,24 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
   inverse(2, 1) = inverse(1, 2);
   inverse *= 1 / determinant;
 
-  // y and the forces, refined in the forces: see dual.cpp, polish. Of the constant, which is 0
-  // without force limits, of cos theta and of sin theta.
+  // Of the constant, which is 0 without force limits, and of cos theta and sin theta.
   Affine<3> Y = Affine<3>::Zero();
   for (Contact& contact : contacts_) {
     contact.F.setZero();
     contact.Z.setZero();
   }
   T largest_force = 1;
-  for (int k = limited_ ? 0 : 1; k < 3; ++k) {
-    dual::Screw<2, T> load = dual::Screw<2, T>::Zero();
-    if (k > 0) load[2 - k] = 1;
-    dual::Screw<2, T> residual = load;
-    if (k == 0) {
-      for (Contact& contact : contacts_) {
-        contact.F.col(0) = contact.face.f0;
-        residual -= contact.G * contact.face.f0;
-      }
+  if (limited_) {
+    dual::Screw<2, T> residual = dual::Screw<2, T>::Zero();
+    for (Contact& contact : contacts_) {
+      contact.F.col(0) = contact.face.f0;
+      residual -= contact.G * contact.face.f0;
     }
-    for (int round = 0; round < 4; ++round) {
-      if (free_turn) residual[2] = 0;
-      if (residual.cwiseAbs().maxCoeff() <= rounding_of<T> * largest_force) break;
-      const dual::Screw<2, T> dy = inverse * residual;
-      Y.col(k) += dy;
-      residual = load;
-      for (Contact& contact : contacts_) {
-        const Eigen::Matrix<T, 2, 1> dz = contact.G.transpose() * dy;
-        contact.Z.col(k) += dz;
-        contact.F.col(k) += contact.face.P * dz;
-        // Exactly on the edge: what rounding adds beside it would be taken for a balance.
-        if (contact.face.edge) contact.F(1, k) = contact.face.sign * contact.mu * contact.F(0, k);
-        residual -= contact.G * contact.F.col(k);
-        largest_force = std::max(largest_force, contact.F.col(k).cwiseAbs().maxCoeff());
-      }
-    }
+    balance<0, 1>(inverse, dual::Screw<2, T>::Zero(), residual, free_turn, Y, largest_force);
   }
+  Eigen::Matrix<T, 3, 2> load;
+  load << T(0), T(1), T(1), T(0), T(0), T(0);  // (sin theta, cos theta, 0)
+  balance<1, 2>(inverse, load, load, free_turn, Y, largest_force);
   if (free_turn) {
     Y.row(2) = turn_at(reach, Y);
     for (Contact& contact : contacts_) contact.Z = contact.G.transpose() * Y;
@@ -132,19 +115,47 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
       reach.keep(g.template cast<double>(), of_force ? rounding_f : rounding_y);
     });
     const Eigen::Matrix<double, 2, 3> F = contact.F.template cast<double>();
-    for (int k = 0; k < 2; ++k) {
-      const double a = F(k, 0), b = F(k, 1), c = F(k, 2);
-      arc.V.c0 += a * a + (b * b + c * c) / 2;
-      arc.V.cos1 += 2 * a * b;
-      arc.V.sin1 += 2 * a * c;
-      arc.V.cos2 += (b * b - c * c) / 2;
-      arc.V.sin2 += b * c;
-    }
+    const auto product = [&](int j, int k) { return F.col(j).dot(F.col(k)); };
+    const double cos_cos = product(1, 1), sin_sin = product(2, 2);
+    arc.V.c0 += (cos_cos + sin_sin) / 2;
+    arc.V.cos2 += (cos_cos - sin_sin) / 2;
+    arc.V.sin2 += product(1, 2);
+    if (!limited_) continue;
+    arc.V.c0 += product(0, 0);
+    arc.V.cos1 += 2 * product(0, 1);
+    arc.V.sin1 += 2 * product(0, 2);
   }
   for (int k = 0; k < 3; ++k)
     arc.y[static_cast<std::size_t>(k)] = {
         static_cast<double>(Y(k, 0)), static_cast<double>(Y(k, 1)), static_cast<double>(Y(k, 2))};
   return true;
+}
+
+/// Balances `load`, of which `residual` is left, by the columns of y and of the forces from First
+/// on, refined in the forces: see dual.cpp, polish.
+template <class T>
+template <int First, int Columns>
+void ArcSolver<T>::balance(const dual::Square<2, T>& inverse,
+                           const Eigen::Matrix<T, 3, Columns>& load,
+                           Eigen::Matrix<T, 3, Columns> residual, bool free_turn, Affine<3>& Y,
+                           T& largest_force) {
+  for (int round = 0; round < 4; ++round) {
+    if (free_turn) residual.row(2).setZero();
+    if (residual.cwiseAbs().maxCoeff() <= rounding_of<T> * largest_force) break;
+    const Eigen::Matrix<T, 3, Columns> dY = inverse * residual;
+    Y.template middleCols<Columns>(First) += dY;
+    residual = load;
+    for (Contact& contact : contacts_) {
+      const Eigen::Matrix<T, 2, Columns> dZ = contact.G.transpose() * dY;
+      contact.Z.template middleCols<Columns>(First) += dZ;
+      auto F = contact.F.template middleCols<Columns>(First);
+      F += contact.face.P * dZ;
+      // Exactly on the edge: what rounding adds beside it would be taken for a balance.
+      if (contact.face.edge) F.row(1) = contact.face.sign * contact.mu * F.row(0);
+      residual -= contact.G * F;
+      largest_force = std::max<T>(largest_force, F.cwiseAbs().maxCoeff());
+    }
+  }
 }
 
 /// Calls f(g, of_force) for each g(theta) >= 0 that keeps a contact on its face: that the force

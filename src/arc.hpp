@@ -56,6 +56,10 @@ class ArcSolver {
     Affine<2> F, Z;  ///< its force, and G^T y
   };
 
+  template <int First, int Columns>
+  void balance(const dual::Square<2, T>& inverse, const Eigen::Matrix<T, 3, Columns>& load,
+               Eigen::Matrix<T, 3, Columns> residual, bool free_turn, Affine<3>& Y,
+               T& largest_force);
   template <class Function>
   static void for_each_condition(const Contact& contact, const Function& f);
   Row turn_at(const Reach& reach, const Affine<3>& Y) const;

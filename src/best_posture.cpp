@@ -56,13 +56,13 @@ double lower_bound(const Grasp<2>& grasp, const PostureCurve& curve, double forc
   double least = std::numeric_limits<double>::infinity();
   for (const Arc& arc : curve.arcs) {
     // V on an arc is least at its ends or where it is flat.
-    Roots angles = sign_changes(derivative(arc.V), arc.from, arc.to);
-    angles.push_back(arc.from);
-    angles.push_back(arc.to);
-    for (const double theta : angles) {
+    const auto prove_at = [&](double theta) {
       const Twist<2> y(arc.y[0](theta), arc.y[1](theta), arc.y[2](theta));
       least = std::min(least, proven_between(scaled, about_com(grasp, y), theta, theta));
-    }
+    };
+    prove_at(arc.from);
+    prove_at(arc.to);
+    for (const Root& root : sign_changes(derivative(arc.V), arc.from, arc.to)) prove_at(root.at);
   }
   for (const Interval& gap : curve.undecided) {
     const Hold<2> middle = hold(grasp, up_at((gap.from + gap.to) / 2), {force_cap});

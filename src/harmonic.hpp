@@ -11,15 +11,21 @@ namespace poise {
 /// d/dtheta.
 Harmonic2 derivative(const Harmonic2& g);
 
+/// Where a function changes its sign.
+struct Root {
+  double at;
+  bool rising;
+};
+
 /// At most 4 in a turn, one more where it was cut in two.
 class Roots {
  public:
-  void push_back(double theta) { theta_[count_++] = theta; }
-  const double* begin() const { return theta_.data(); }
-  const double* end() const { return theta_.data() + count_; }
+  void push_back(const Root& root) { roots_[count_++] = root; }
+  const Root* begin() const { return roots_.data(); }
+  const Root* end() const { return roots_.data() + count_; }
 
  private:
-  std::array<double, 10> theta_;
+  std::array<Root, 10> roots_;
   std::size_t count_{0};
 };
 

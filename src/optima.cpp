@@ -24,20 +24,23 @@ double scale(const Harmonic2& V) {
 /// Splits an arc, moved by `turn`, where its slope changes sign.
 void split(const Arc& arc, double turn, std::vector<Segment>& segments) {
   constexpr double near = 1e-9;  // an optimum this close to an end of the arc is at the end
+  const double flat = 1e-13 * scale(arc.V);
+  const Harmonic2 slope = derivative(arc.V);
   double from = arc.from;
   int trend = 0;
-  const auto add_until = [&](double to) {
-    if (trend == 0) {
-      const double slope = arc.V.slope((from + to) / 2);
-      trend = std::abs(slope) <= 1e-13 * scale(arc.V) ? 0 : slope > 0 ? 1 : -1;
+  if (scale(slope) > flat) {
+    for (const Root& root : sign_changes(slope, arc.from, arc.to)) {
+      if (!(root.at - arc.from > near && arc.to - root.at > near)) continue;
+      trend = root.rising ? 1 : -1;
+      segments.push_back({from + turn, root.at + turn, -trend, &arc.V});
+      from = root.at;
     }
-    segments.push_back({from + turn, to + turn, trend, &arc.V});
-    trend = -trend;  // it changes sign at `to`
-    from = to;
-  };
-  for (const double at : sign_changes(derivative(arc.V), arc.from, arc.to))
-    if (at - arc.from > near && arc.to - at > near) add_until(at);
-  add_until(arc.to);
+    if (trend == 0) {
+      const double middle = arc.V.slope((arc.from + arc.to) / 2);
+      trend = std::abs(middle) <= flat ? 0 : middle > 0 ? 1 : -1;
+    }
+  }
+  segments.push_back({from + turn, arc.to + turn, trend, &arc.V});
 }
 
 double wrapped(double angle) {

@@ -73,24 +73,28 @@ class Tracer {
     const Wrench<2> w = load_at(reach.cosine, reach.sine);
     const bool holdable =
         dual::maximise<2>(scaled_, w, dual::cold_start<2>(scaled_, w), cap_, point_);
-    Arc arc;
-    if (holdable) {
-      if (!arc_at(w, reach, arc)) return {at, at};
-    } else {
+    if (!holdable) {
       if (!(dual::lower_bound(point_) > cap_ * cap_)) return {at, at};
       unholdable_reach(w, reach);
-    }
-    const Interval piece{std::max(lo, reach.from()), std::min(hi, reach.to())};
-    if (!holdable) {
+      const Interval piece = within(reach, lo, hi);
       curve_.unholdable_arcs.push_back({piece.from, piece.to, about_origin(grasp_, point_.y)});
-    } else if (piece.to > piece.from) {
+      return piece;
+    }
+    Arc& arc = curve_.arcs.emplace_back();
+    Interval piece{at, at};
+    if (arc_at(w, reach, arc)) piece = within(reach, lo, hi);
+    if (piece.to > piece.from) {
       arc.from = piece.from;
       arc.to = piece.to;
-      curve_.arcs.push_back(arc);
     } else {
       curve_.states.resize(arc.first_state);
+      curve_.arcs.pop_back();
     }
     return piece;
+  }
+
+  static Interval within(const Reach& reach, double lo, double hi) {
+    return {std::max(lo, reach.from()), std::min(hi, reach.to())};
   }
 
   /// Around a posture where point_.y proves that nothing holds: where else it does.
@@ -163,7 +167,7 @@ class Tracer {
     if (most <= cap * cap) return;
     Harmonic2 below = V;
     below.c0 -= cap * cap;
-    for (const double end : sign_changes(below, at - pi, at + pi)) reach.stop(end);
+    for (const Root& end : sign_changes(below, at - pi, at + pi)) reach.stop(end.at);
   }
 
   /// A posture that holds although its neighbours do not.

@@ -39,7 +39,9 @@ InternalForce internal_force(const ContactLane<2>& c) {
 
 template <>
 ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
-    : length(grasp.radius() > 0 ? grasp.radius() : 1), per_weight(1 / grasp.object().weight) {
+    : length(grasp.radius() > 0 ? grasp.radius() : 1),
+      per_length(1 / length),
+      per_weight(1 / grasp.object().weight) {
   size = grasp.contacts().size();
   lanes.resize((size + lane_size - 1) / lane_size);
   std::fill(lanes.begin(), lanes.end(), ContactLane<2>{});
@@ -71,7 +73,9 @@ ScaledGrasp<2>::ScaledGrasp(const Grasp<2>& grasp)
 
 template <>
 ScaledGrasp<3>::ScaledGrasp(const Grasp<3>& grasp)
-    : length(grasp.radius() > 0 ? grasp.radius() : 1), per_weight(1 / grasp.object().weight) {
+    : length(grasp.radius() > 0 ? grasp.radius() : 1),
+      per_length(1 / length),
+      per_weight(1 / grasp.object().weight) {
   size = grasp.contacts().size();
   lanes.resize((size + lane_size - 1) / lane_size);
   std::fill(lanes.begin(), lanes.end(), ContactLane<3>{});

@@ -125,6 +125,7 @@ struct ScaledGrasp : Cones<Dim> {
   explicit ScaledGrasp(const Grasp<Dim>& grasp);
 
   double length;      ///< L [m], or 1 where every contact is at the centre of mass
+  double per_length;  ///< 1 / L [1/m]
   double per_weight;  ///< 1 / W [1/N]
   /// Pseudo-inverse of G G^T: the dual of a load while no contact is at the border of its cone.
   Eigen::Matrix<double, wrench_size<Dim>, wrench_size<Dim>> inverse;

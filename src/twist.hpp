@@ -10,7 +10,7 @@ namespace poise {
 /// A twist about the com in the solver's units, seen at the object frame's origin [N, N/m].
 inline Twist<2> about_origin(const Grasp<2>& grasp, const Twist<2>& scaled) {
   const Vector<2>& com = grasp.object().com;
-  const double omega = scaled[2] / grasp.scaled().length;
+  const double omega = scaled[2] * grasp.scaled().per_length;
   return Twist<2>(scaled[0] + omega * com.y(), scaled[1] - omega * com.x(), omega) *
          grasp.object().weight;
 }
@@ -23,7 +23,7 @@ inline Twist<2> about_com(const Grasp<2>& grasp, const Twist<2>& y) {
 }
 
 inline Twist<3> about_origin(const Grasp<3>& grasp, const Twist<3>& scaled) {
-  const Vector<3> omega = scaled.tail<3>() / grasp.scaled().length;
+  const Vector<3> omega = scaled.tail<3>() * grasp.scaled().per_length;
   Twist<3> y;
   y << scaled.head<3>() - omega.cross(grasp.object().com), omega;
   return y * grasp.object().weight;
