@@ -108,7 +108,6 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
   if (settings.tilt) domain.push_back({settings.tilt->from.normalized(), settings.tilt->most});
 
   BestSpatialPosture result;
-  Search full(scenarios, domain, settings.gap, settings.max_holds);
   // What is proven without max_normal holds with it. Where the best posture needs no more then,
   // that is all; else it is where to begin.
   std::vector<Grasp<3>> strong;
@@ -118,10 +117,11 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
     for (const Grasp<3>& grasp : grasps) strong.push_back(without_max_normal(grasp));
     for (std::size_t s = 0; s < grasps.size(); ++s)
       unlimited.push_back({&strong[s], scenarios[s].weight, scenarios[s].cap});
-    easier.emplace(unlimited, domain, settings.gap, settings.max_holds);
+    easier.emplace(unlimited, domain, settings.gap, (settings.max_holds + 1) / 2);
     easier->run();
-    full.begin_with(*easier);
   }
+  Search full(scenarios, domain, settings.gap, settings.max_holds - (easier ? easier->holds() : 0));
+  if (easier) full.begin_with(*easier);
   const bool proven =
       easier && full.best_V() <= (1 + 0.1 * settings.gap) * easier->best_V() &&
       (easier->best_V() < infinity || easier->lower_bound() > full.cap() * full.cap());

@@ -175,9 +175,13 @@ Vector<3> Polytope::nearest() const {
 
 Vector<3> Polytope::middle() const {
   Vector<3> sum = Vector<3>::Zero();
+  double count = 0;
   for (const Vertex& v : vertices_)
-    if (v.alive) sum += v.x;
-  return sum.norm() > 0 ? Vector<3>(sum.normalized()) : sum;
+    if (v.alive) {
+      sum += v.x;
+      ++count;
+    }
+  return count > 0 ? Vector<3>(sum / count) : sum;
 }
 
 }  // namespace poise

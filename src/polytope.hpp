@@ -39,7 +39,7 @@ class Polytope {
   /// Its point nearest to the origin; must not be empty.
   Vector<3> nearest() const;
   bool empty() const { return farthest(true) == none; }
-  /// Some direction between those of the far vertices.
+  /// A point of its inside: the mean of its vertices.
   Vector<3> middle() const;
   const Vertex& operator[](std::size_t i) const { return vertices_[i]; }
   std::size_t size() const { return vertices_.size(); }

@@ -353,20 +353,37 @@ bool Search::shrink() {
     }
   }
   if (there_still()) polytope_.pass_over(far);
-  // Vertices lie outside of what can be held: look from the inside, too.
+  // Vertices lie outside of what can be held: look from the inside, too, as near to its border as
+  // there are holds.
   beyond_in_a_row_ = beyond ? beyond_in_a_row_ + 1 : 0;
   if (beyond_in_a_row_ < 2) return true;
-  if (limited_ && best_V_ < infinity) {
-    const Vector<3> near = x + std::ldexp(1, -std::min(beyond_in_a_row_, 40)) * (best_up_ - x);
+  const Vector<3> inside = best_V_ < infinity ? best_up_ : polytope_.middle();
+  const double part = std::ldexp(1, -nearness_);
+  bool holds = false;
+  if (limited_) {
+    const Vector<3> near = x + part * (inside - x);
     const Evaluation e = evaluate(near);
     rows_.push_back(e.row);
     cut(rows_.size() - 1, Polytope::none);
+    holds = e.V < infinity;
     if (below(e.V)) (near.norm() > 1 ? heavier_ : lighter_) = Load{near, e.V};
   }
-  const Vector<3> middle = best_V_ < infinity ? Vector<3>(up + best_up_) : polytope_.middle();
-  if (middle.norm() > 1e-3) visit(snapped(middle, planes), nullptr);
+  const Vector<3> near = best_V_ < infinity ? Vector<3>(up + part * (best_up_ - up)) : inside;
+  if (near.norm() > 1e-3 && visit(snapped(near, planes), nullptr) < infinity) holds = true;
+  nearness_ = std::clamp(nearness_ + (holds ? 1 : -1), 1, 40);
   return true;
 }
+
+namespace {
+
+/// On the way from a lighter load to a heavier one, the posture in which the load is the weight.
+Vector<3> of_the_weight(const Vector<3>& lighter, const Vector<3>& heavier) {
+  const Vector<3> way = heavier - lighter;
+  const double a = way.squaredNorm(), b = lighter.dot(way), c = 1 - lighter.squaredNorm();
+  return (lighter + c / (b + std::sqrt(b * b + a * c)) * way).normalized();
+}
+
+}  // namespace
 
 /// A heavier object needs less: the loads that need at most t_, a convex set, must all be heavier.
 /// Cuts off the lightest load of the polytope. False: none is lighter than the object.
@@ -389,8 +406,17 @@ bool Search::recede() {
   const auto done = [&] {
     return (lighter_ && below(lighter_->V)) || polytope_.empty() || polytope_.nearest() != x;
   };
-  // Where it lies outside of what can be held by rounding, it is approached from the inside.
   const double V = try_load(x);
+  // It lies outside of what can be held, a known load inside: between them are postures, too.
+  if (heavier_ && !(V < infinity)) {
+    const Vector<3> up = of_the_weight(x, heavier_->x);
+    visit(up, nullptr);
+    if (best_V_ < before) return true;
+    const Vector<3> middle = (up + heavier_->x) / 2;
+    const double there = try_load(middle);
+    if (middle.norm() > 1 && below(there)) heavier_ = Load{middle, there};
+  }
+  // Where it lies outside by rounding, it is approached from the inside.
   const Vector<3> inside = heavier_ ? heavier_->x : best_up_;
   for (int k = 1; k <= 40 && !done() && !(V < infinity); ++k)
     try_load(x + std::ldexp(1, -k) * (inside - x));
@@ -399,10 +425,8 @@ bool Search::recede() {
 
 /// Between a lighter load and a heavier one that need at most t_ there is a posture that does.
 bool Search::cross() {
-  const Vector<3> from = lighter_->x, way = heavier_->x - from;
-  const double a = way.squaredNorm(), b = from.dot(way), c = 1 - from.squaredNorm();
   const double before = best_V_;
-  visit((from + c / (b + std::sqrt(b * b + a * c)) * way).normalized(), nullptr);
+  visit(of_the_weight(lighter_->x, heavier_->x), nullptr);
   return best_V_ < before;
 }
 
@@ -462,17 +486,27 @@ double Search::bound_by_cuts() {
     return safe / std::max(far == Polytope::none ? 0 : polytope_[far].square, 1e-40);
   }
   if (proven()) return safe * t_;
-  double least = 0, most = t_;
-  const auto rebuild_for = [&](double t) {
+  const auto proves = [&](double t) {
     t_ = t;
     polytope_ = box();
     for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
+    return proven();
   };
-  for (int halving = 0; halving < 40; ++halving) {
-    rebuild_for((least + most) / 2);
-    (proven() ? least : most) = t_;
+  // Down from the target in longer and longer steps, then between the last two.
+  const double from = t_;
+  double most = from, least = from;
+  for (double step = gap_; least == most || !proves(least); step *= 4) {
+    most = least;
+    least = step < 0.5 ? from * (1 - step) : least / 4;
+    if (least <= 1 / shares_) break;
   }
-  rebuild_for(least);
+  if (least > 1 / shares_) {
+    for (int halving = 0; halving < 8; ++halving) {
+      const double middle = std::sqrt(least * most);
+      (proves(middle) ? least : most) = middle;
+    }
+  }
+  proves(least);
   return safe * least;
 }
 

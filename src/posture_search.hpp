@@ -123,6 +123,7 @@ class Search {
   Vector<3> best_up_ = Vector<3>::Zero();
   Row best_row_;
   int beyond_in_a_row_{0}, refuted_{0};
+  int nearness_{1};  ///< how often the way from a vertex to the inside is halved
   /// Loads of the domain known to need no more: lighter than the object, and heavier.
   std::optional<Load> lighter_, heavier_;
 };

@@ -80,6 +80,7 @@ ScaledGrasp<3>::ScaledGrasp(const Grasp<3>& grasp)
   lanes.resize((size + lane_size - 1) / lane_size);
   std::fill(lanes.begin(), lanes.end(), ContactLane<3>{});
   Eigen::Matrix<double, 6, 6> GGt = Eigen::Matrix<double, 6, 6>::Zero();
+  std::vector<Eigen::Matrix<double, 6, 4>> columns;
   for (std::size_t i = 0; i < size; ++i) {
     const Contact<3>& contact = grasp.contacts()[i];
     const double root = std::sqrt(contact.share), weight = grasp.object().weight;
@@ -103,13 +104,21 @@ ScaledGrasp<3>::ScaledGrasp(const Grasp<3>& grasp)
     lane.lo[k] = contact.min_normal / weight / root;
     lane.hi[k] = contact.max_normal / weight / root;
     limited = limited || contact.min_normal > 0 || std::isfinite(contact.max_normal);
-    Eigen::Matrix<double, 6, 4> G = Eigen::Matrix<double, 6, 4>::Zero();
+    Eigen::Matrix<double, 6, 4>& G = columns.emplace_back();
+    G.setZero();
     G.topLeftCorner<3, 3>() = frame;
-    for (int d = 0; d < 3; ++d) G.col(d).tail<3>() = r.cross(frame.col(d));
+    if (contact.friction == 0) G.rightCols<3>().setZero();
+    for (int d = 0; d < 3; ++d) G.col(d).tail<3>() = r.cross(G.col(d).head<3>());
     G.col(3).tail<3>() = lane.soft[k] * frame.col(0);
     GGt += G * G.transpose();
   }
   inverse = pseudo_inverse(GGt, unfelt);
+  // A very soft finger takes digits from the others in G G^T, not in G.
+  for (Twist<3>& y : unfelt) {
+    Twist<3> felt = Twist<3>::Zero();
+    for (const Eigen::Matrix<double, 6, 4>& G : columns) felt += G * (G.transpose() * y);
+    y = (y - inverse * felt).normalized();
+  }
 }
 
 Cones<2, Wide> widened(const Cones<2>& cones) {
