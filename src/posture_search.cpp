@@ -136,9 +136,9 @@ bool probe(const ScaledGrasp<3>& grasp, const Wrench<3>& w, double known, double
 
 Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact, double known) {
   Vector<3> x = given;
-  if (std::all_of(thin_.begin(), thin_.end(),
-                  [&](const Plane& plane) { return std::abs(plane.n.dot(given)) < 1e-6; }))
-    x = OnPlanes(given, thin_).load();
+  const auto hits = [&](const Plane& plane) { return std::abs(plane.n.dot(given)) < 1e-6; };
+  if (!thin_.empty() && given.norm() > 1e-3 && std::all_of(thin_.begin(), thin_.end(), hits))
+    x = OnPlanes(given, thin_).load().normalized() * given.norm();
   if (inside(given) && !inside(x)) x = given;
   Evaluation worst;
   worst.V = -1;
@@ -208,11 +208,19 @@ void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
   cut(rows_.size() - 1, Polytope::none);
 }
 
-/// Of n . x where the effort is at most t_. Without limits y may be as long as is best.
+/// Without limits y may be as long as is best for a cut; not so long that rounding would count,
+/// also where y is told about an origin far from the com.
+double Search::stretch(const Row& row, double half) const {
+  const Grasp<3>& grasp = *scenarios_[row.scenario].grasp;
+  const double arm = 1 + grasp.object().com.norm() * grasp.scaled().per_length;
+  return std::sqrt(half) * std::min(1 / std::sqrt(row.phi), 1e13 / (arm * row.y.norm()));
+}
+
+/// Of n . x where the effort is at most t_.
 double Search::right_hand_side(const Row& row) const {
   if (row.plane) return 0;
   const double weight = scenarios_[row.scenario].weight, half = t_ / (2 * weight * weight);
-  const double most = limited_ ? half + row.phi : 2 * std::sqrt(half * row.phi);
+  const double times = limited_ ? 1 : stretch(row, half), most = half / times + times * row.phi;
   return (most + (dual::delta + 1e-15) * dual::length<3, double>(row.y)) / row.speed;
 }
 
@@ -534,9 +542,7 @@ std::vector<Cut> Search::certificate(double t) const {
       cut.scenario = row.scenario;
       y = row.y;
       const double half = t / (2 * std::pow(scenarios_[row.scenario].weight, 2));
-      // As long as is best for it; not so long that rounding would count.
-      if (!limited_)
-        y *= std::min(std::sqrt(half / row.phi), 1e10 * std::max(half, 1e-10) / row.y.norm());
+      if (!limited_) y *= stretch(row, half);
     }
     cut.y = about_origin(*scenarios_[cut.scenario].grasp, y);
     cuts.push_back(cut);

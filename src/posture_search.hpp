@@ -84,6 +84,7 @@ class Search {
   /// The effort whose level set is cut: with limits the rows' right-hand sides depend on it. Where
   /// nothing holds, a little above the cap, which proofs exceed by a tenth.
   double target() const;
+  double stretch(const Row& row, double half) const;
   double right_hand_side(const Row& row) const;
   bool cut(std::size_t row, std::size_t hint);
   void rebuild();
