@@ -94,15 +94,15 @@ BestSpatialPosture best_posture(const Grasp<3>& grasp, const SpatialSettings& se
   return best_posture(std::vector<Grasp<3>>{grasp}, settings);
 }
 
-BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
+BestSpatialPosture best_posture(const std::vector<Grasp<3>>& scenarios,
                                 const SpatialSettings& settings) {
-  check(grasps, settings);
+  check(scenarios, settings);
   double weight = 0;
-  for (const Grasp<3>& grasp : grasps) weight = std::max(weight, grasp.object().weight);
-  std::vector<Scenario> scenarios;
-  for (const Grasp<3>& grasp : grasps) {
+  for (const Grasp<3>& grasp : scenarios) weight = std::max(weight, grasp.object().weight);
+  std::vector<Scenario> in_units;
+  for (const Grasp<3>& grasp : scenarios) {
     const double part = grasp.object().weight / weight;
-    scenarios.push_back({&grasp, part, std::min(settings.force_cap / part, 1e9)});
+    in_units.push_back({&grasp, part, std::min(settings.force_cap / part, 1e9)});
   }
   std::vector<Cone> domain;
   if (settings.tilt) domain.push_back({settings.tilt->from.normalized(), settings.tilt->most});
@@ -113,14 +113,14 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
   std::vector<Grasp<3>> strong;
   std::vector<Scenario> unlimited;
   std::optional<Search> easier;
-  if (only_max_normal(grasps)) {
-    for (const Grasp<3>& grasp : grasps) strong.push_back(without_max_normal(grasp));
-    for (std::size_t s = 0; s < grasps.size(); ++s)
-      unlimited.push_back({&strong[s], scenarios[s].weight, scenarios[s].cap});
+  if (only_max_normal(scenarios)) {
+    for (const Grasp<3>& grasp : scenarios) strong.push_back(without_max_normal(grasp));
+    for (std::size_t s = 0; s < scenarios.size(); ++s)
+      unlimited.push_back({&strong[s], in_units[s].weight, in_units[s].cap});
     easier.emplace(unlimited, domain, settings.gap, (settings.max_holds + 1) / 2);
     easier->run();
   }
-  Search full(scenarios, domain, settings.gap, settings.max_holds - (easier ? easier->holds() : 0));
+  Search full(in_units, domain, settings.gap, settings.max_holds - (easier ? easier->holds() : 0));
   if (easier) full.begin_with(*easier);
   const bool proven =
       easier && full.best_V() <= (1 + 0.1 * settings.gap) * easier->best_V() &&
@@ -138,27 +138,26 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
 
   std::vector<std::pair<Vector<3>, Row>> found = {{full.best_up(), full.best_row()}};
   for (const Vector<3>& start : search::starts(full, domain, settings.starts)) {
-    const auto minimum = search::descend(scenarios, domain, start);
+    const auto minimum = search::descend(in_units, domain, start);
     if (minimum && std::none_of(found.begin(), found.end(), [&](const auto& other) {
           return (other.first - minimum->first).norm() < 1e-3;
         }))
       found.push_back(*minimum);
   }
   for (const auto& [up, row] : found) {
-    SpatialPosture minimum = posture(scenarios, up, row);
+    SpatialPosture minimum = posture(in_units, up, row);
     std::vector<Vector<3>> sharper;
     // The best is found no better than the gap tells.
     if (settings.starts > 0 && result.minima.empty())
-      if (const auto lower = search::descend(scenarios, domain, up))
-        sharper.push_back(lower->first);
-    if (scenarios.size() == 1 && domain.empty())
-      sharper.push_back(search::settled(scenarios.front(), up, row));
-    for (const Scenario& scenario : scenarios)
+      if (const auto lower = search::descend(in_units, domain, up)) sharper.push_back(lower->first);
+    if (in_units.size() == 1 && domain.empty())
+      sharper.push_back(search::settled(in_units.front(), up, row));
+    for (const Scenario& scenario : in_units)
       for (const Vector<3>& alone : search::on_one_contact(*scenario.grasp))
         if ((alone - up).norm() < 1e-4 && (domain.empty() || domain.front().excess(alone) <= 0))
           sharper.push_back(alone);
     for (const Vector<3>& other : sharper) {
-      SpatialPosture there = posture(scenarios, other, row);
+      SpatialPosture there = posture(in_units, other, row);
       if (there.hold.holdable && there.effort() <= (1 + 1e-9) * minimum.effort())
         minimum = std::move(there);
     }
@@ -183,7 +182,7 @@ BestSpatialPosture best_posture(const std::vector<Grasp<3>>& grasps,
           (minimum.up + 1e-6 * (across * Vector<2>(std::cos(k * pi / 4), std::sin(k * pi / 4))))
               .normalized();
       for (const Cone& cone : domain) interior = interior && !(cone.excess(beside) > 0);
-      for (const Scenario& scenario : scenarios)
+      for (const Scenario& scenario : in_units)
         interior = interior && hold(*scenario.grasp, beside, {scenario.cap}).holdable;
     }
     if (interior) result.pinched = i;
