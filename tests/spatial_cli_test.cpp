@@ -386,12 +386,21 @@ TEST_F(SpaceBest, TheUnholdableIsNullsAndProof) {
 }
 
 TEST_F(SpaceBest, NothingFoundIsNotCalledUnholdable) {
-  write("slippery.yaml", slippery);
-  const Json document = json("best slippery.yaml --max-holds 1", 1);
+  // It can be held, but not in the first posture that is tried.
+  write("hanging.yaml",
+        "poise: 1\n"
+        "dimension: 3\n"
+        "object: {weight: 10, com: [0, -1, 0]}\n"
+        "contacts:\n"
+        "  - {position: [1, 0.2, 0], normal: [0, -1, 0.1], friction: 0.1}\n"
+        "  - {position: [-1, 0, 0.3], normal: [0.1, -1, 0], friction: 0.1}\n"
+        "  - {position: [0, 0, -1], normal: [0, -1, 0], friction: 0.1}\n");
+  EXPECT_EQ(poise("best hanging.yaml").status, 0);
+  const Json document = json("best hanging.yaml --max-holds 1", 1);
   EXPECT_EQ(document["status"], "gap");
   EXPECT_TRUE(document["best"].is_null());
   EXPECT_TRUE(document["lower_bound"].is_number());
-  const Outcome run = poise("best slippery.yaml --max-holds 1");
+  const Outcome run = poise("best hanging.yaml --max-holds 1");
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.out.find("That there is none is not"), run.out.npos) << run.out;
 }
