@@ -6,7 +6,7 @@ import { icosahedron, polytope, refined, type Triangles } from './mesh';
 import { rounds } from './scale';
 import type { SpatialModel } from './space';
 import { line, node, place, set, text } from './svg';
-import { dot, length, times, turned, turnedBack, unit } from './turn';
+import { add, cross, dot, length, minus, times, turned, turnedBack, unit } from './turn';
 import { radians } from './vector';
 import { newtons, plain } from './words';
 
@@ -168,7 +168,7 @@ export class SphereView {
     const corners = faces.flatMap((face) => face.slice(2).flatMap((last, k) => [face[0]!, face[k + 1]!, last]));
     const flat = (points: Vec[]) => ({
       points,
-      triangles: Array.from({ length: points.length / 3 }, (_, t) => [3 * t, 3 * t + 1, 3 * t + 2] as const),
+      triangles: byThree(points),
       normals: points.map(unitOr),
     });
     this.canvas.drop(this.proof?.faces);
@@ -190,13 +190,37 @@ export class SphereView {
     const limited = this.model.answers.check.contacts.some((each) => each.min_normal > 0 || each.max_normal !== null);
     if (!coloured || !best?.lower_bound || limited) return undefined;
     const { points, triangles } = sphere(coloured.level);
+    const { tilt } = this.model.answers.check;
+    const inside = points.map((p) => (tilt ? dot(p, tilt.from) - Math.cos(radians(tilt.max_deg)) : 1));
     const reach = points.map((p, k) => {
       const effort = coloured.efforts[k];
       return times(effort ? Math.sqrt(best.lower_bound! / effort) : 0, p);
     });
-    const { tilt } = this.model.answers.check;
-    const kept = triangles.filter((corners) => !tilt || corners.every((k) => dot(points[k]!, tilt.from) >= Math.cos(radians(tilt.max_deg))));
-    return this.canvas.loadBody({ points: reach, triangles: kept, normals: kept.flatMap((corners) => corners.map((k) => points[k]!)) });
+    const corners: Vec[] = [];
+    const normals: Vec[] = [];
+    for (const triangle of triangles) {
+      const border: Vec[] = [];
+      const face = triangle.flatMap((k, i) => {
+        const next = triangle[(i + 1) % 3]!;
+        const [here, there] = [inside[k]!, inside[next]!];
+        const kept = here >= 0 ? [reach[k]!] : [];
+        if (here >= 0 === there >= 0) return kept;
+        // Where the tilt ends, so does the body: cut along the rays.
+        const cut = add(reach[k]!, times(here / (here - there), minus(reach[next]!, reach[k]!)));
+        if (here >= 0) border.push(cut);
+        else border.unshift(cut);
+        return [...kept, cut];
+      });
+      for (const fan of face.slice(2).map((last, k) => [face[0]!, face[k + 1]!, last])) {
+        corners.push(...fan);
+        normals.push(...fan.map(unitOr));
+      }
+      if (!border.length) continue;
+      const side = unitOr(cross(border[0]!, border[1]!));
+      corners.push(...border, [0, 0, 0]);
+      normals.push(side, side, side);
+    }
+    return this.canvas.loadBody({ points: corners, triangles: byThree(corners), normals });
   }
 
   private drawMarks(): void {
@@ -264,6 +288,7 @@ export class SphereView {
   }
 }
 
+const byThree = (points: Vec[]) => Array.from({ length: points.length / 3 }, (_, t) => [3 * t, 3 * t + 1, 3 * t + 2] as const);
 const unitOr = (p: Vec): Vec => (length(p) > 0 ? unit(p) : [0, 0, 1]);
 const same = (a: Vec, b: Vec | undefined) => b !== undefined && dot(a, b) > 1 - 1e-14;
 const pad = (values: number[], size: number) => [...values.slice(0, size), ...Array<number>(Math.max(0, size - values.length)).fill(0)];
