@@ -2,13 +2,12 @@
 import type { NotHeld } from './core';
 import { Canvas, colour, seen, type Eye, type Loaded, type Pose } from './gl';
 import type { Point, Vec } from './grasp';
-import { apart } from './label';
+import { labels, type Arrow, type Finger } from './label';
 import { bodyOf, hit, onSurface, tapered, type Body } from './mesh';
 import type { SpatialModel } from './space';
-import { draggable, keySteps, line, node, place, set, text } from './svg';
+import { draggable, keySteps, line, node, place, set } from './svg';
 import { about, add, after, cross, dot, frame, length, minus, times, turned, turnedBack, unit, type Turn } from './turn';
 import { radians } from './vector';
-import { newtons } from './words';
 
 /** Seen a little from above. */
 export const elevation = radians(25);
@@ -220,30 +219,24 @@ export class BodyView {
 
   private drawLabels(): void {
     const { check, hold } = this.model.answers;
-    const com = this.screen(this.model.scenario.com);
-    const below = this.screen(this.object(add(this.world(this.model.scenario.com), [0, 0, -this.perNewton() * this.model.scenario.weight])));
-    const fingers = [...new Set(check.contacts.map((contact) => contact.finger))];
-    const labels = fingers.length > 8 ? [] : fingers.map((finger) => {
-      const own = check.contacts.filter((contact) => contact.finger === finger);
-      const mean = (of: (k: number) => Vec) => times(1 / own.length, own.map((_, k) => of(k)).reduce(add));
-      const position = mean((k) => own[k]!.position);
-      const out = turned(view, turned(this.model.orientation, mean((k) => times(-1, own[k]!.normal))));
-      const at = this.screen(position);
-      const [x, y] = [at[0] + 34 * out[0], at[1] - 26 * out[1]];
-      const force = hold.holdable ? hold.fingers.find((each) => each.finger === finger)?.force : undefined;
-      const name = finger.length > 14 ? `${finger.slice(0, 13)}…` : finger;
-      const half = 3.8 * Math.max(name.length, force ? 8 : 0);
-      const inside = Math.min(Math.max(x, half + 2), this.size[0] - half - 2);
-      return { at: [inside, y] as Point, width: 2 * half, height: force ? 32 : 17, name, force };
+    const { com, weight } = this.model.scenario;
+    const perNewton = this.perNewton();
+    const from = this.screen(com);
+    const tip = this.screen(this.object(add(this.world(com), [0, 0, -perNewton * weight])));
+    const arrows = !hold.holdable ? [] : hold.contacts.map(({ force }, i): Arrow => {
+      const { position } = check.contacts[i]!;
+      return [this.screen(position), this.screen(add(position, times(perNewton, force)))];
     });
-    this.back.replaceChildren(line([com[0], 0], [com[0], this.size[1]], 'vertical'));
-    this.front.replaceChildren(
-      ...apart(labels).flatMap(({ at, name, force }) => [
-        text(name, [at[0], at[1] + (force ? -3 : 5)], 'finger label'),
-        ...(force ? [text(newtons(length(force)), [at[0], at[1] + 14], 'force label')] : []),
-      ]),
-      text(newtons(this.model.scenario.weight), [below[0], below[1] + 16], 'gravity label'),
-    );
+    const fingers = [...new Set(check.contacts.map((contact) => contact.finger))].map((name): Finger => {
+      const own = check.contacts.filter((contact) => contact.finger === name);
+      const mean = (points: Vec[]) => times(1 / own.length, points.reduce(add));
+      const [x, y] = turned(view, turned(this.model.orientation, mean(own.map((each) => times(-1, each.normal)))));
+      const force = hold.holdable ? hold.fingers.find((each) => each.finger === name)?.force : undefined;
+      // Above one that is seen from behind or from in front.
+      return { name, at: this.screen(mean(own.map((each) => each.position))), out: [x, -y - Math.max(0, 1 - Math.hypot(x, y))], force: force && length(force) };
+    });
+    this.back.replaceChildren(line([from[0], 0], [from[0], this.size[1]], 'vertical'));
+    this.front.replaceChildren(...labels(fingers, weight, tip, [...arrows, [from, tip]], this.size));
   }
 
   private placeHandles(): void {

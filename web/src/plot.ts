@@ -13,6 +13,13 @@ export interface View {
   bounds: boolean;
 }
 
+/** Two lines of words, the upper one at y. */
+interface Written {
+  x: number;
+  y: number;
+  half: number;
+}
+
 const margin = { left: 58, right: 16, top: 14, bottom: 38 };
 
 export class Plot {
@@ -98,7 +105,6 @@ export class Plot {
     const y = this.vertical();
     const inside = node('g', { 'clip-path': 'url(#inside)' });
     inside.append(...this.shades(), ...this.grid(y.ticks, y.at));
-    if (this.showsBounds()) inside.append(...this.bounds(y.at));
     const { curve } = this.model.answers;
     for (const points of samples(curve, 180 / this.width()))
       inside.append(
@@ -107,11 +113,18 @@ export class Plot {
           class: 'curve',
         }),
       );
-    const now = this.x(this.model.angle);
-    inside.append(line([now, margin.top], [now, margin.top + this.height()], 'now'));
+    if (this.showsBounds()) inside.append(...this.bounds(y.at));
+    inside.append(this.now(this.drawOptima(y.at)));
     this.layers.replaceChildren(inside, ...this.axes(y.ticks, y.at));
-    this.drawOptima(y.at);
     this.drawHandle(y.at);
+  }
+
+  /** The line of the present posture, which leaves out what is written across it. */
+  private now(written: Written[]): Node {
+    const x = this.x(this.model.angle);
+    const across = written.filter((each) => Math.abs(each.x - x) < each.half + 3).sort((a, b) => a.y - b.y);
+    const ends = [margin.top, ...across.flatMap(({ y }) => [y - 12, y + 17]), margin.top + this.height()];
+    return node('path', { d: ends.map((y, k) => `${k % 2 ? 'L' : 'M'}${x} ${y}`).join(''), class: 'now' });
   }
 
   private vertical(): { at: (value: number) => number; ticks: number[] } {
@@ -206,18 +219,19 @@ export class Plot {
           }),
         ),
       );
-      // Named where it is in sight, each at another part of the way.
+      // Named where it is in sight, each at another part of the way, and away from the curve.
       const floor = margin.top + this.height();
       const visible = shown.filter((angle) => at(value(angle)) > margin.top + 18 && at(value(angle)) < floor - 6);
-      const angle = visible[Math.floor(visible.length * [0.6, 0.4, 0.93, 0, 0.62, 0.3][k]!)];
+      const angle = visible[Math.floor(visible.length * [0.6, 0.4, 0.96, 0, 0.2, 0.86][k]!)];
       if (angle === undefined) return lines;
       const where: Point = [this.x(wrapped(paper.axis + angle)), at(value(angle)) + 4];
-      return [...lines, text(name, where, 'bound-name')];
+      return [...lines, k === 2 ? text(name, [where[0] - 9, where[1]], 'bound-name', 'end') : text(name, where, 'bound-name')];
     });
   }
 
-  private drawOptima(at: (value: number) => number): void {
-    const taken: { x: number; y: number; half: number }[] = [];
+  /** Gives what is written beside the optima. */
+  private drawOptima(at: (value: number) => number): Written[] {
+    const taken: Written[] = [];
     const { best } = this.model.answers;
     const marks = this.model.answers.curve.optima.map((optimum) => {
       const centre: Point = [this.x(optimum.angle_deg), at(this.value(optimum.effort))];
@@ -236,11 +250,15 @@ export class Plot {
             ? 'best pinched'
             : optimum.manner;
       const words = `${name}, ${optimum.kind}`;
-      const half = 3 * words.length + 2;  // about: 12 px high
-      const below = centre[1] + 34 < margin.top + this.height();
+      const half = 3.3 * words.length + 2;  // about: 12 px high
       const x = Math.min(Math.max(centre[0], margin.left + half), this.x(180) - half);
-      const y = centre[1] + (below ? 20 : -24);
-      if (taken.some((other) => Math.abs(other.x - x) < other.half + half && Math.abs(other.y - y) < 28)) return mark;
+      const floor = margin.top + this.height();
+      const free = (way: number) =>
+        centre[1] + way + 14 < floor &&
+        taken.every((other) => Math.abs(other.x - x) >= other.half + half || Math.abs(other.y - centre[1] - way) >= 28);
+      const way = [20, 48, -31].find(free);
+      if (way === undefined) return mark;
+      const y = centre[1] + way;
       taken.push({ x, y, half });
       mark.append(
         text(degrees(optimum.angle_deg), [x, y], 'optimum-label'),
@@ -249,6 +267,7 @@ export class Plot {
       return mark;
     });
     this.marks.replaceChildren(...marks);
+    return taken;
   }
 
   private drawHandle(at: (value: number) => number): void {

@@ -1,11 +1,12 @@
 // The object as it hangs: gravity points down on the screen.
 import type { NotHeld, Optimum } from './core';
 import type { Point } from './grasp';
+import { labels, type Arrow, type Finger } from './label';
 import { along, nearest, outline } from './shape';
 import type { PlanarModel } from './state';
-import { arrow, draggable, keySteps, line, node, path, place, set, text } from './svg';
+import { arrow, draggable, keySteps, line, node, path, place, set } from './svg';
 import { add, left, length, minus, times, turned } from './vector';
-import { degrees, newtons, wrapped } from './words';
+import { degrees, wrapped } from './words';
 
 /** From the object frame to the screen and back. */
 class Placement {
@@ -217,17 +218,19 @@ export class Scene {
     const com = this.now.point(check.com);
     const weight: Point = [com[0], com[1] + perNewton * check.weight];
     const drawn: Node[] = [...this.meeting()];
+    const arrows: Arrow[] = [];
+    const draw = (from: Point, to: Point, kind: string) => {
+      arrows.push([from, to]);
+      drawn.push(arrow(from, to, kind));
+    };
 
     if (hold.holdable)
       hold.contacts.forEach((each, i) => {
         const tip = this.now.point(check.contacts[i]!.position);
-        const way = this.now.direction(each.force, perNewton);
-        drawn.push(arrow(tip, add(tip, way), each.limit === 'none' ? 'force' : 'force limit'));
+        draw(tip, add(tip, this.now.direction(each.force, perNewton)), each.limit === 'none' ? 'force' : 'force limit');
       });
-    drawn.push(arrow(com, weight, 'gravity'));
-    drawn.push(text(newtons(check.weight), [weight[0], weight[1] + 17], 'gravity label'));
-    drawn.push(...this.fingerLabels());
-    this.front.replaceChildren(...drawn);
+    draw(com, weight, 'gravity');
+    this.front.replaceChildren(...drawn, ...labels(this.fingers(), check.weight, weight, arrows, [this.now.width, this.now.height]));
   }
 
   /** Where the edges of two cones meet at the kink nearest to this posture. */
@@ -244,24 +247,18 @@ export class Scene {
     return [...lines, node('circle', { cx: meet[0], cy: meet[1], r: 6, class: `meet${here ? ' here' : ''}` })];
   }
 
-  /** Each finger's name and how hard it presses, outside the object. */
-  private fingerLabels(): Node[] {
+  private fingers(): Finger[] {
     const { check, hold } = this.model.answers;
-    const fingers = [...new Set(check.contacts.map((contact) => contact.finger))];
-    if (fingers.length > 8) return [];
-    return fingers.flatMap((finger) => {
-      const own = check.contacts.filter((contact) => contact.finger === finger);
-      const place = times(1 / own.length, own.map((each) => this.now.point(each.position)).reduce(add));
-      const out = times(-1 / own.length, own.map((each) => this.now.direction(each.normal)).reduce(add));
-      const at = add(place, times(32, out));
-      const anchor = out[0] > 0.5 ? 'start' : out[0] < -0.5 ? 'end' : 'middle';
-      const x = at[0] - (anchor === 'middle' ? 0 : 10 * Math.sign(out[0]));
-      const force = hold.holdable ? hold.fingers.find((each) => each.finger === finger)?.force : undefined;
-      const name = finger.length > 14 ? `${finger.slice(0, 13)}…` : finger;
-      const labels = [text(name, [x, at[1] - (force ? 4 : -5)], 'finger label', anchor)];
-      if (force) labels.push(text(newtons(length(force)), [x, at[1] + 13], 'force label', anchor));
-      return labels;
+    return [...new Set(check.contacts.map((contact) => contact.finger))].map((name) => {
+      const own = check.contacts.filter((contact) => contact.finger === name);
+      const mean = (points: Point[]) => times(1 / own.length, points.reduce(add));
+      const force = hold.holdable ? hold.fingers.find((each) => each.finger === name)?.force : undefined;
+      return {
+        name,
+        at: mean(own.map((each) => this.now.point(each.position))),
+        out: mean(own.map((each) => this.now.direction(each.normal, -1))),
+        force: force && length(force),
+      };
     });
   }
 }
-
