@@ -1,11 +1,10 @@
 import './style.css';
-import { Decoder } from '@lzma/decoder.js';
-import { InputBuffer, OutputBuffer } from '@lzma/streams.js';
-import packed from 'virtual:core';
+import { size, text as packed } from 'virtual:core';
 import { BodyView } from './body';
 import { BadGrasp, read, start, type AnyHold, type Margins } from './core';
 import { asPng, asSvg, fileName, fromLink, keep, toLink, yaml, type Picture } from './files';
 import type { Grasp, PlanarGrasp, SpatialGrasp, Vec } from './grasp';
+import { unpacked } from './lzma';
 import type { Triangles } from './mesh';
 import { drawMinima, drawSpatialMinima, PlanarControls, SpatialControls } from './panel';
 import { asPaper } from './paper';
@@ -20,12 +19,7 @@ import { why, whyInSpace } from './why';
 
 const find = <Kind extends HTMLElement>(id: string) => document.getElementById(id) as Kind;
 
-function unpacked(text: string): ArrayBuffer {
-  const whole = new OutputBuffer(2 ** 20);
-  new Decoder().decompress(new InputBuffer(Uint8Array.from(atob(text), (character) => character.charCodeAt(0))), whole);
-  return Uint8Array.from(whole.toArray()).buffer;
-}
-const wasm = unpacked(packed);
+const wasm = unpacked(Uint8Array.from(atob(packed), (character) => character.charCodeAt(0)), size).buffer;
 await start(wasm);
 
 /** A grasp in the plane, or in space: its model, its views. */
