@@ -1,8 +1,9 @@
 import { execFileSync } from 'node:child_process';
-import { statSync } from 'node:fs';
+import { readFileSync, statSync } from 'node:fs';
 import type { Plugin } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
 import { defineConfig } from 'vitest/config';
+import { folded } from './src/fold.ts';
 
 const built = (path: string) => new URL(`../build/${path}`, import.meta.url).pathname;
 
@@ -19,11 +20,22 @@ const coreAsText: Plugin = {
   },
 };
 
+/** An example whose shape is a mesh: the grasp, and the mesh to draw. */
+const foldedMeshes: Plugin = {
+  name: 'folded-meshes',
+  enforce: 'pre',
+  load: (id) => {
+    if (!id.endsWith('.mesh.json')) return undefined;
+    const { grasp, mesh } = JSON.parse(readFileSync(id, 'utf8'));
+    return JSON.stringify({ grasp, mesh: folded(mesh) });
+  },
+};
+
 // One file that opens from the disk: scripts, styles and the WebAssembly core within it.
 export default defineConfig({
   base: './',
   build: { target: 'es2022', rolldownOptions: { input: 'playground.html' } },
   resolve: { alias: { '@core': new URL('../bindings/wasm/poise.mjs', import.meta.url).pathname, '@examples': built('fixtures') } },
   test: { include: ['test/*.test.{ts,mjs}'] },
-  plugins: [coreAsText, viteSingleFile()],
+  plugins: [coreAsText, foldedMeshes, viteSingleFile()],
 });

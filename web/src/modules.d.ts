@@ -15,8 +15,12 @@ declare module '*?worker&inline' {
   export default Inlined;
 }
 
-/** A grasp file of examples/, as JSON. */
-declare module '@examples/*' {
+/** A grasp file of examples/, as JSON; if its shape is a mesh, with that. */
+declare module '@examples/*.mesh.json' {
+  export const grasp: import('./grasp').SpatialGrasp;
+  export const mesh: import('./fold').Folded;
+}
+declare module '@examples/*.grasp.json' {
   const grasp: import('./grasp').Grasp;
   export default grasp;
 }

@@ -2,16 +2,30 @@ import bottle from '@examples/bottle.grasp.json';
 import boxHardJaws from '@examples/box-hard-jaws.grasp.json';
 import boxSoftJaws from '@examples/box-soft-jaws.grasp.json';
 import boxThreeFingers from '@examples/box-three-fingers.grasp.json';
+import * as bracket from '@examples/bracket-parallel-jaw.mesh.json';
 import cylinder from '@examples/cylinder-three-fingers.grasp.json';
+import * as drill from '@examples/drill-three-fingers.mesh.json';
 import hexagon from '@examples/hexagon-three-fingers.grasp.json';
 import lPart from '@examples/l-part.grasp.json';
+import * as mug from '@examples/mug-parallel-jaw.mesh.json';
+import tray from '@examples/tray.grasp.json';
+import { unfolded } from './fold';
 import type { Grasp } from './grasp';
+import type { Triangles } from './mesh';
 import { paperDisk } from './paper';
 
+export interface Preset {
+  label: string;
+  grasp: Grasp;
+  /** What it looks like, if its shape is a mesh. */
+  mesh?: Triangles;
+}
+
 const least = 1 / Math.sqrt(3);
+const named = (grasp: Grasp): Preset => ({ label: grasp.name ?? 'example', grasp });
 
 /** What to begin with: the figures of the paper, then the examples. */
-export const presets: { group: string; grasps: { label: string; grasp: Grasp }[] }[] = [
+export const presets: { group: string; grasps: Preset[] }[] = [
   {
     group: 'The paper',
     grasps: (
@@ -28,11 +42,14 @@ export const presets: { group: string; grasps: { label: string; grasp: Grasp }[]
   },
   {
     group: 'In the plane',
-    grasps: [lPart, hexagon].map((grasp) => ({ label: grasp.name ?? 'example', grasp })),
+    grasps: [lPart, hexagon].map(named),
   },
   {
     group: 'In space',
-    grasps: [cylinder, boxThreeFingers, boxHardJaws, boxSoftJaws, bottle].map((grasp) => ({ label: grasp.name ?? 'example', grasp })),
+    grasps: [
+      ...[cylinder, boxThreeFingers, boxHardJaws, boxSoftJaws, bottle, tray].map(named),
+      ...[bracket, mug, drill].map(({ grasp, mesh }) => ({ ...named(grasp), mesh: unfolded(mesh) })),
+    ],
   },
 ];
 export const first = 'Fig. 6: φ = 75°, μ = 1 and 1/√3';
