@@ -1,5 +1,6 @@
 // The object in space as it hangs: gravity points down on the screen.
 import type { NotHeld } from './core';
+import type { Picture } from './files';
 import { Canvas, colour, seen, type Eye, type Loaded, type Pose } from './gl';
 import type { Point, Vec } from './grasp';
 import { labels, type Arrow, type Finger } from './label';
@@ -55,7 +56,7 @@ export class BodyView {
   ) {
     this.canvas = new Canvas(document.createElement('canvas'));
     this.canvas.element.setAttribute('aria-hidden', 'true');
-    this.picture = node('svg', { 'aria-label': 'The object as it is held, gravity pointing down' });
+    this.picture = node('svg', { role: 'group', 'aria-label': 'The object as it is held, gravity pointing down' });
     this.picture.append(this.ground, this.back, this.front, this.handles, this.com);
     parent.append(this.canvas.element, this.picture);
     this.shaft = this.canvas.loadBody(tapered(1, 1, 0, 1));
@@ -106,9 +107,8 @@ export class BodyView {
   }
 
   /** The picture, for saving. */
-  get image(): { canvas: HTMLCanvasElement; overlay: SVGSVGElement } {
-    this.draw();
-    return { canvas: this.canvas.element, overlay: this.picture };
+  get image(): Picture {
+    return { image: this.canvas.finely(() => this.draw()), overlay: this.picture };
   }
 
   private load(): void {

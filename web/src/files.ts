@@ -35,7 +35,7 @@ export async function toLink(grasp: Grasp): Promise<string> {
   return `grasp=${text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
 }
 
-/** The grasp file in a link; nothing where there is none. Damaged ones are as good as empty. */
+/** The grasp file in a link; nothing where there is no link, and empty where it is damaged. */
 export async function fromLink(hash: string): Promise<Uint8Array | undefined> {
   const [, text] = hash.match(/^#?grasp=(.*)$/s) ?? [];
   if (text === undefined) return undefined;
@@ -63,7 +63,8 @@ export const fileName = (grasp: Grasp) =>
 /** Something drawn: lines and text, and below them, in space, what WebGL draws. */
 export interface Picture {
   overlay: SVGSVGElement;
-  canvas?: HTMLCanvasElement;
+  /** As a data: address. */
+  image?: string;
   /** What it is read by, to be put beneath. */
   legend?: SVGSVGElement;
 }
@@ -71,33 +72,37 @@ export interface Picture {
 /** Pictures side by side as one SVG, with the colours and the typeface of the page. */
 export function asSvg(pictures: Picture[]): { text: string; width: number; height: number } {
   const style = getComputedStyle(document.documentElement);
-  const rules = Array.from(document.styleSheets, (sheet) => Array.from(sheet.cssRules, (rule) => rule.cssText).join('\n')).join('\n');
-  const names = new Set(rules.match(/--[a-z]+/g));
-  const colours = [...names].map((name) => `${name}:${style.getPropertyValue(name)}`).join(';');
+  // The colours of now, written out: not every program that shows pictures knows variables.
+  const valued = (text: string) => text.replace(/var\((--[a-z]+)\)/g, (_, name: string) => style.getPropertyValue(name).trim());
+  const rules = Array.from(document.styleSheets, (sheet) => Array.from(sheet.cssRules))
+    .flat()
+    .filter((rule) => rule instanceof CSSStyleRule && pictures.some(({ overlay, legend }) => [overlay, legend].some((each) => each?.querySelector(rule.selectorText))))
+    .map((rule) => valued(rule.cssText))
+    .join('\n');
   const boxes = pictures.map(({ overlay }) => overlay.getBoundingClientRect());
   const edge = pictures.some(({ legend }) => legend) ? 56 : 24;
   const width = boxes.reduce((sum, box) => sum + box.width + 24, 24);
   const height = Math.max(...boxes.map((box) => box.height)) + 2 * edge;
   let left = 24;
-  const parts = pictures.map(({ overlay, canvas, legend }, k) => {
+  const parts = pictures.map(({ overlay, image, legend }, k) => {
     const { width: w, height: h } = boxes[k]!;
     const top = (height - h) / 2;
-    const image = canvas ? `<image x="${left}" y="${top}" width="${w}" height="${h}" href="${canvas.toDataURL()}"/>` : '';
+    const below = image ? `<image x="${left}" y="${top}" width="${w}" height="${h}" href="${image}"/>` : '';
     const placed = (picture: SVGSVGElement, box: Record<string, number>) => {
       const copy = picture.cloneNode(true) as SVGSVGElement;
       for (const [name, value] of Object.entries(box)) copy.setAttribute(name, String(value));
       return new XMLSerializer().serializeToString(copy);
     };
-    const drawn = image + placed(overlay, { x: left, y: top, width: w, height: h });
-    const below = legend?.getBoundingClientRect();
-    const key = below ? placed(legend!, { x: left + (w - below.width) / 2, y: top + h, width: below.width, height: below.height }) : '';
+    const drawn = below + placed(overlay, { x: left, y: top, width: w, height: h });
+    const box = legend?.getBoundingClientRect();
+    const key = box ? placed(legend!, { x: left + (w - box.width) / 2, y: top + h, width: box.width, height: box.height }) : '';
     left += w + 24;
     return drawn + key;
   });
   const escaped = rules.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
   const font = `font: 14px ${getComputedStyle(document.body).fontFamily.replaceAll('"', "'")}`;
-  const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="${colours};${font}">
-<style>${escaped}</style><rect width="100%" height="100%" style="fill:var(--ground)"/>${parts.join('')}</svg>\n`;
+  const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="${font}">
+<style>${escaped}</style><rect width="100%" height="100%" fill="${valued('var(--ground)')}"/>${parts.join('')}</svg>\n`;
   return { text, width, height };
 }
 

@@ -90,7 +90,7 @@ const globeFragment = `#version 300 es
   precision highp float;
   in vec3 facing, direction; in vec2 norm; out vec4 result;
   uniform vec3 ramp[5]; uniform vec3 unholdable, hatch, ground, tilt_from;
-  uniform float low, high, tilt, opacity; uniform float levels[16]; uniform int count;
+  uniform float low, high, tilt, opacity, dots; uniform float levels[16]; uniform int count;
   void main() {
     float part = clamp((norm.x - low) / max(high - low, 1e-9), 0.0, 1.0);
     int k = min(int(part * 4.0), 3);
@@ -98,7 +98,7 @@ const globeFragment = `#version 300 es
     float pixel = fwidth(norm.x);
     for (int i = 0; i < 16; ++i)
       if (i < count) hue = mix(vec3(1.0), hue, 0.45 + 0.55 * smoothstep(0.3, 1.1, abs(norm.x - levels[i]) / max(pixel, 1e-9)));
-    float stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / 9.0);
+    float stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / (9.0 * dots));
     vec3 bare = mix(unholdable, hatch, smoothstep(0.6, 0.68, stripe) - smoothstep(0.92, 1.0, stripe));
     float border = max(fwidth(norm.y), 1e-3);
     hue = mix(hue, bare, smoothstep(-border, border, norm.y - 0.5));
@@ -125,6 +125,9 @@ export class Canvas {
   private readonly gl: WebGL2RenderingContext;
   private readonly programs: Record<'lit' | 'line' | 'globe', WebGLProgram>;
   private half: [number, number] = [1, 1];
+  private fine = 1;
+  /** For each pixel. */
+  private dots = 1;
   private eye!: Eye;
 
   /** @throws Error where the browser has no WebGL. */
@@ -204,11 +207,21 @@ export class Canvas {
     loaded.buffers.forEach((buffer) => this.gl.deleteBuffer(buffer));
   }
 
+  /** What is drawn, in twice as many dots each way as the screen has, as the address of a picture. */
+  finely(draw: () => void): string {
+    this.fine = 2;
+    draw();
+    const address = this.element.toDataURL();
+    this.fine = 1;
+    draw();
+    return address;
+  }
+
   /** An empty picture. */
   begin(width: number, height: number, eye: Eye): void {
     const { gl, element } = this;
-    const dots = window.devicePixelRatio || 1;
-    const [w, h] = [Math.round(width * dots), Math.round(height * dots)];
+    this.dots = (window.devicePixelRatio || 1) * this.fine;
+    const [w, h] = [Math.round(width * this.dots), Math.round(height * this.dots)];
     if (element.width !== w || element.height !== h) Object.assign(element, { width: w, height: h });
     gl.viewport(0, 0, w, h);
     gl.clearColor(0, 0, 0, 0);
@@ -235,6 +248,7 @@ export class Canvas {
       half_size: this.half,
       scale: eye.scale,
       depth: eye.depth,
+      dots: this.dots,
       ...uniforms,
     };
     for (const [key, value] of Object.entries(all)) {

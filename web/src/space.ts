@@ -3,6 +3,7 @@
 import { askSpatial, BadGrasp, type Held, type Hold, type Margins, type Plane, type SpatialBest, type SpatialCheck } from './core';
 import { scenariosOf, type SpatialGrasp, type Vec } from './grasp';
 import { bodyOf, bodyOfMesh, type Body, type Triangles } from './mesh';
+import type { Ring } from './ring';
 import { about, after, angle, length, minus, towards, turned, turnedBack, unit, type Turn } from './turn';
 import { radians } from './vector';
 import Worker from './worker?worker&inline';
@@ -18,6 +19,8 @@ export interface SpatialAnswers {
 export interface Found {
   best?: SpatialBest;
   planes?: Plane[];
+  /** All around in the only plane of directions that can be held, where there is but that. */
+  ring?: Ring | undefined;
   sphere?: { level: number; efforts: (number | null)[] };
 }
 
@@ -206,7 +209,7 @@ export class SpatialModel {
 
   private receive(part: Part): void {
     if (part.id !== this.task) return;
-    if ('best' in part) Object.assign(this.found, { best: part.best, planes: part.planes });
+    if ('best' in part) Object.assign(this.found, { best: part.best, planes: part.planes, ring: part.ring });
     else if ('efforts' in part) this.found.sphere = part;
     else this.outdated = false;
     if ('best' in part) this.outdated = false;

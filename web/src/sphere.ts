@@ -1,5 +1,6 @@
 // The sphere of postures, fixed to the object: the point on top is the direction that points up.
 import { turnable, view } from './body';
+import type { Picture } from './files';
 import { Canvas, colour, seen, type Colour, type Eye, type Loaded } from './gl';
 import type { Point, Vec } from './grasp';
 import { icosahedron, polytope, refined, type Triangles } from './mesh';
@@ -28,13 +29,14 @@ export class SphereView {
   certificate = false;
   private readonly canvas: Canvas;
   private readonly picture: SVGSVGElement;
-  readonly legend = node('svg', { class: 'legend', role: 'img' });
+  private readonly legend = node('svg', { class: 'legend', role: 'img' });
   private readonly ground = node('circle', { class: 'area', tabindex: 0, role: 'application' });
-  private readonly marks = node('g');
+  private readonly marks = node('g', { class: 'minima' });
   private eye!: Eye;
   private size: Point = [500, 330];
   private drawn: unknown;
   private loaded: Loaded | undefined;
+  private ring: { of: unknown; band: Loaded } | undefined;
   private proof: { of: unknown; level: number | undefined; faces: Loaded; edges: Loaded; body: Loaded | undefined } | undefined;
 
   constructor(
@@ -43,7 +45,7 @@ export class SphereView {
   ) {
     this.canvas = new Canvas(document.createElement('canvas'));
     this.canvas.element.setAttribute('aria-hidden', 'true');
-    this.picture = node('svg', { 'aria-label': 'The sphere of postures, coloured by the force norm' });
+    this.picture = node('svg', { role: 'group', 'aria-label': 'The sphere of postures, coloured by the force norm' });
     this.picture.append(this.ground, this.marks);
     const globe = document.createElement('div');
     globe.className = 'globe';
@@ -67,12 +69,13 @@ export class SphereView {
 
   /** Force norms from the least of all to where colours end [N]. */
   range(): { low: number; high: number } | undefined {
-    const { sphere: coloured, best } = this.model.found;
+    const { sphere: coloured, best, ring } = this.model.found;
     if (!coloured) return undefined;
     let [low, high] = [Infinity, 0];
     const { tilt } = this.model.answers.check;
     const { points } = sphere(coloured.level);
     const inside = (p: Vec) => !tilt || dot(p, tilt.from) >= Math.cos(radians(tilt.max_deg));
+    for (const effort of ring?.efforts ?? []) if (effort !== null) [low, high] = [Math.min(low, effort), Math.max(high, effort)];
     for (const [k, effort] of coloured.efforts.entries())
       if (effort !== null && inside(points[k]!)) [low, high] = [Math.min(low, effort), Math.max(high, effort)];
     if (best?.best) low = Math.min(low, best.best.effort);
@@ -101,8 +104,8 @@ export class SphereView {
       this.canvas.veil(proof.faces, pose);
       this.canvas.lines(proof.edges, pose, colour('--best'), 1, 1.4);
     }
-    if (this.loaded)
-      this.canvas.globe(this.loaded, pose, {
+    if (this.loaded) {
+      const colours = {
         ramp,
         low: Math.log(range?.low ?? 1),
         high: Math.log(range?.high ?? 2),
@@ -114,16 +117,19 @@ export class SphereView {
         tilt_from: tilt?.from ?? [0, 0, 1],
         tilt: tilt ? Math.cos(radians(tilt.max_deg)) : -2,
         opacity: proof ? 0.22 : 1,
-      });
+      };
+      this.canvas.globe(this.loaded, pose, colours);
+      const band = this.band();
+      if (band) this.canvas.globe(band, { ...pose, stretch: [1.003, 1.003, 1.003] }, colours);
+    }
     this.drawMarks();
     this.drawLegend(range);
     const late = this.model.outdated;
     for (const element of [this.canvas.element, this.legend, this.marks]) element.classList.toggle('late', late);
   }
 
-  get image(): { canvas: HTMLCanvasElement; overlay: SVGSVGElement } {
-    this.draw();
-    return { canvas: this.canvas.element, overlay: this.picture };
+  get image(): Picture {
+    return { image: this.canvas.finely(() => this.draw()), overlay: this.picture, legend: this.legend };
   }
 
   private load(): void {
@@ -132,7 +138,8 @@ export class SphereView {
     this.drawn = coloured;
     this.canvas.drop(this.loaded);
     const { points, triangles } = sphere(coloured?.level ?? 3);
-    const efforts = coloured?.efforts ?? [];
+    // What the band shows better is left to it.
+    const efforts = this.model.found.ring ? [] : coloured?.efforts ?? [];
     // Beside what cannot be held, the colour of the nearest that can.
     const norms = points.map((_, k) => efforts[k] ?? NaN).map((effort) => Math.log(Math.sqrt(effort)));
     const values = [...norms];
@@ -146,6 +153,29 @@ export class SphereView {
       { position: { size: 3, data: new Float32Array(points.flat()) }, value: { size: 2, data: Float32Array.from(data) } },
       Uint32Array.from(triangles.flat()),
     );
+  }
+
+  /** Where only a circle of postures can be held, between those of the sphere: a band about it. */
+  private band(): Loaded | undefined {
+    const { ring } = this.model.found;
+    if (this.ring?.of === ring) return this.ring?.band;
+    this.canvas.drop(this.ring?.band);
+    this.ring = undefined;
+    if (!ring) return undefined;
+    const { normal, ups, efforts } = ring;
+    const half = times(0.012, normal);
+    const points = ups.flatMap((up) => [unit(minus(up, half)), unit(add(up, half))]);
+    const values = efforts.flatMap((effort) => {
+      const value = effort === null ? [0, 1] : [Math.log(Math.sqrt(effort)), 0];
+      return [...value, ...value];
+    });
+    const corners = ups.slice(1).flatMap((_, k) => [0, 2, 1, 1, 2, 3].map((i) => 2 * k + i));
+    const band = this.canvas.load(
+      { position: { size: 3, data: new Float32Array(points.flat()) }, value: { size: 2, data: Float32Array.from(values) } },
+      Uint32Array.from(corners),
+    );
+    this.ring = { of: ring, band };
+    return band;
   }
 
   /** What the proof shows, in words. */
@@ -186,16 +216,19 @@ export class SphereView {
 
   /** Without limits of the forces the effort is quadratic along a ray. */
   private carried(): Loaded | undefined {
-    const { best, sphere: coloured } = this.model.found;
+    const { best, sphere: coloured, ring } = this.model.found;
     const limited = this.model.answers.check.contacts.some((each) => each.min_normal > 0 || each.max_normal !== null);
     if (!coloured || !best?.lower_bound || limited) return undefined;
+    const far = (effort: number | null | undefined) => (effort ? Math.sqrt(best.lower_bound! / effort) : 0);
+    if (ring) {
+      const rim = ring.ups.map((up, k) => times(far(ring.efforts[k]), up));
+      const fan = rim.slice(1).flatMap((p, k): Vec[] => [[0, 0, 0], rim[k]!, p]);
+      return this.canvas.loadBody({ points: fan, triangles: byThree(fan), normals: fan.map(() => ring.normal) });
+    }
     const { points, triangles } = sphere(coloured.level);
     const { tilt } = this.model.answers.check;
     const inside = points.map((p) => (tilt ? dot(p, tilt.from) - Math.cos(radians(tilt.max_deg)) : 1));
-    const reach = points.map((p, k) => {
-      const effort = coloured.efforts[k];
-      return times(effort ? Math.sqrt(best.lower_bound! / effort) : 0, p);
-    });
+    const reach = points.map((p, k) => times(far(coloured.efforts[k]), p));
     const corners: Vec[] = [];
     const normals: Vec[] = [];
     for (const triangle of triangles) {

@@ -2,6 +2,7 @@
 import { askSpatial, BadGrasp, start, type Plane, type SpatialBest } from './core';
 import type { SpatialGrasp, Vec } from './grasp';
 import { refined, icosahedron } from './mesh';
+import { circle, flat, type Ring } from './ring';
 
 export interface Task {
   id: number;
@@ -10,7 +11,7 @@ export interface Task {
 
 /** Parts of the answer to a task, as they come. */
 export type Part =
-  | { id: number; best: SpatialBest; planes: Plane[] }
+  | { id: number; best: SpatialBest; planes: Plane[]; ring: Ring | undefined }
   | { id: number; level: number; efforts: (number | null)[] }
   | { id: number; done: true };
 
@@ -46,7 +47,10 @@ function* parts({ grasp }: Task) {
     });
     yield efforts(levels[0]!);
     const best = askSpatial('best', grasp);
-    yield { best, planes: askSpatial('planes', grasp, { cuts: best.cuts }).planes };
+    const { planes } = askSpatial('planes', grasp, { cuts: best.cuts });
+    const normal = best.lower_bound === null ? undefined : flat(planes, best.lower_bound);
+    const ups = normal && circle(normal);
+    yield { best, planes, ring: ups && { normal, ups, efforts: askSpatial('efforts', grasp, { ups }).efforts } };
     yield efforts(levels[1]!);
   } catch (error) {
     // The page has been told already.
