@@ -34,7 +34,8 @@ class NumberField {
   ) {
     this.element = html('input', { type: kind, 'aria-label': label, ...attributes });
     this.element.addEventListener('input', () => {
-      const { value, valueAsNumber } = this.element;
+      const { value, valueAsNumber, validity } = this.element;
+      if (validity.badInput) return;  // not yet a number, such as 1e
       if (value === '' || Number.isFinite(valueAsNumber)) write(value === '' ? undefined : valueAsNumber);
     });
     this.element.addEventListener('blur', () => this.show(true));
@@ -51,8 +52,12 @@ class NumberField {
 interface Held {
   grasp: { name?: string; contacts: Contact<unknown>[] };
   answers: { check: { contacts: { finger: string }[] }; hold: AnyHold };
+  frame: { radius: number };
   edit(change: () => void): void;
 }
+
+/** A tenth of a number, about. */
+const stepOf = (size: number) => String(10 ** Math.floor(Math.log10(size) - 1));
 
 abstract class Controls<Model extends Held> {
   protected fields: NumberField[] = [];
@@ -65,6 +70,7 @@ abstract class Controls<Model extends Held> {
 
   protected abstract rows(): HTMLElement[];
   protected abstract soft: boolean;
+  protected abstract heaviest(): number;
 
   /** Another grasp is shown. */
   forget(): void {
@@ -80,7 +86,7 @@ abstract class Controls<Model extends Held> {
     const { hold } = this.model.answers;
     this.forces.forEach((cell, i) => {
       const force = hold.holdable ? hold.contacts[i] : undefined;
-      cell.textContent = force ? newtons(force.normal_force) : '–';
+      cell.textContent = force ? newtons(force.state === 'unloaded' ? 0 : force.normal_force) : '–';
       const used = this.forces[i]!.nextElementSibling!;
       used.textContent = force ? (force.state === 'unloaded' ? 'unloaded' : percent(force.friction_used)) : '–';
       used.classList.toggle('at-limit', force?.state === 'slipping');
@@ -105,7 +111,7 @@ abstract class Controls<Model extends Held> {
     const write = given((value) => this.model.edit(() => void (object()!.weight = value)));
     const read = () => object()?.weight;
     const most = String(Number((3 * now).toPrecision(2)));
-    const step = String(10 ** Math.floor(Math.log10(now) - 1));
+    const step = stepOf(now);
     return html('label', {}, `Weight${of}`,
       this.field(`Weight${of}, slider [N]`, 'range', { min: step, max: most, step: 'any' }, read, write),
       this.field(`Weight${of} [N]`, 'number', { step, min: '0' }, read, write), 'N');
@@ -122,29 +128,38 @@ abstract class Controls<Model extends Held> {
 
   private contactTable(): HTMLElement {
     const { model, soft } = this;
+    const limits = model.grasp.contacts.map((each) => each.max_normal ?? 0);
+    const most = Number((3 * Math.max(this.heaviest(), ...limits)).toPrecision(2));
+    const wide = Number((0.2 * model.frame.radius).toPrecision(2));
     const rows = model.grasp.contacts.map((contact, i) => {
       // A field that loses the focus because it vanishes is asked once more.
       const of = () => model.grasp.contacts[i];
       const finger = model.answers.check.contacts[i]!.finger;
       const named = `${finger}${contact.finger ? '' : ` (contact ${i})`}`;
-      const change = (write: (contact: Contact<unknown>) => void) => model.edit(() => write(model.grasp.contacts[i]!));
-      const number = (key: 'friction' | 'torsion') =>
-        given((value) => change((each) => void (each[key] = value)));
-      const limit = (key: 'min_normal' | 'max_normal') => (value: number | undefined) =>
-        change((each) => {
-          if (value === undefined) delete each[key];
-          else each[key] = value;
-        });
+      /** A number, which may be left out for `none`, and a slider, at whose end that is. */
+      const cell = (words: string, unit: string, key: 'friction' | 'torsion' | 'min_normal' | 'max_normal', max: number, step: string, none?: number) => {
+        const write = (value: number | undefined) =>
+          model.edit(() => {
+            const each: Partial<Contact<unknown>> = model.grasp.contacts[i]!;
+            if (value !== undefined) each[key] = value;
+            else if (none !== undefined) delete each[key];
+          });
+        const read = () => of()?.[key];
+        const label = `${words} of ${named}`;
+        const placeholder: Attributes = none === undefined ? {} : { placeholder: none ? '∞' : '0' };
+        return html('td', {},
+          this.field(`${label}${unit}`, 'number', { min: '0', step, ...placeholder }, read, write),
+          this.field(`${label}, slider${unit}`, 'range', { min: '0', max: String(max), step: none === undefined ? step : 'any' },
+            () => read() ?? none, (value) => write(value === none ? undefined : value)));
+      };
       const force = html('td', { class: 'number' });
       this.forces.push(force);
       return html('tr', {},
-        html('th', { scope: 'row' }, finger),
-        html('td', {},
-          this.field(`Friction of ${named}, slider`, 'range', { min: '0', max: '2', step: '0.01' }, () => of()?.friction, number('friction')),
-          this.field(`Friction of ${named}`, 'number', { min: '0', step: '0.01' }, () => of()?.friction, number('friction'))),
-        ...(soft ? [html('td', {}, this.field(`Torsion of ${named} [m]`, 'number', { min: '0', step: 'any', placeholder: '0' }, () => of()?.torsion, number('torsion')))] : []),
-        html('td', {}, this.field(`Least normal force of ${named} [N]`, 'number', { min: '0', step: 'any', placeholder: '0' }, () => of()?.min_normal, limit('min_normal'))),
-        html('td', {}, this.field(`Greatest normal force of ${named} [N]`, 'number', { min: '0', step: 'any', placeholder: '∞' }, () => of()?.max_normal, limit('max_normal'))),
+        html('th', { scope: 'row', title: finger }, finger),
+        cell('Friction', '', 'friction', 2, '0.01'),
+        ...(soft ? [cell('Torsion', ' [m]', 'torsion', wide, stepOf(wide), 0)] : []),
+        cell('Least normal force', ' [N]', 'min_normal', most, stepOf(most), 0),
+        cell('Greatest normal force', ' [N]', 'max_normal', most, stepOf(most), most),
         force,
         html('td', { class: 'number' }),
       );
@@ -166,6 +181,7 @@ const given = (write: (value: number) => void) => (value: number | undefined) =>
 
 export class PlanarControls extends Controls<PlanarModel> {
   protected soft = false;
+  protected heaviest = () => this.model.grasp.object.weight;
 
   protected rows(): HTMLElement[] {
     const { model } = this;
@@ -183,6 +199,7 @@ export class PlanarControls extends Controls<PlanarModel> {
 
 export class SpatialControls extends Controls<SpatialModel> {
   protected soft = true;
+  protected heaviest = () => Math.max(...scenariosOf(this.model.grasp).map(({ weight }) => weight));
 
   protected rows(): HTMLElement[] {
     const { model } = this;
@@ -228,6 +245,7 @@ export function drawMinima(parent: HTMLElement, model: PlanarModel): void {
   const { curve, best } = model.answers;
   const here = model.optimum();
   parent.classList.remove('late', 'space');
+  parent.removeAttribute('aria-busy');
   buttons(parent, curve.optima.filter((each) => each.type === 'min').map((each) => ({
     kind: each.kind,
     first: degrees(each.angle_deg),
@@ -243,6 +261,7 @@ export function drawMinima(parent: HTMLElement, model: PlanarModel): void {
 export function drawSpatialMinima(parent: HTMLElement, model: SpatialModel): void {
   const { best } = model.found;
   parent.classList.toggle('late', model.outdated);
+  parent.setAttribute('aria-busy', String(model.outdated));
   parent.classList.add('space');
   buttons(parent, (best?.minima ?? []).map((each, k) => ({
     kind: 'smooth' as const,

@@ -61,8 +61,8 @@ function contactsInWords(contacts: Contacts, hold: AnyHeld): string {
 function stillHolds({ weight, holdable, greatest_weight, friction_factor }: Margins): string {
   if (!holdable || friction_factor === null || friction_factor > 1) return '';
   const friction = friction_factor < 1e-3 ? 'with nearly no friction' : `with no less than ${percent(friction_factor)} of the friction`;
-  if (greatest_weight === null) return `This weight would be held ${friction}, and a heavier object with forces that grow with it.`;
-  return `In this posture the fingers still hold up to ${newtons(greatest_weight)} (${plain(greatest_weight / weight)} times the weight), and this weight ${friction}.`;
+  if (greatest_weight === null) return `Pressing harder, the fingers would hold this weight ${friction}, and a heavier object with forces that grow with its weight.`;
+  return `In this posture the fingers still hold up to ${newtons(greatest_weight)} (${plain(greatest_weight / weight)} times the weight), and, pressing harder, this weight ${friction}.`;
 }
 
 const leftOut = ({ best, check }: PlanarAnswers, angle: number) =>

@@ -11,7 +11,8 @@ export function fixed(value: number, decimals: number): string {
   return /^-[0.]*$/.test(text) ? text.slice(1) : text;
 }
 
-export const plain = (value: number) => fixed(value, decimalsFor(Math.abs(value)));
+/** With four digits; what is less than the last of nine decimals is 0. */
+export const plain = (value: number) => (Math.abs(value) < 5e-10 ? '0' : fixed(value, decimalsFor(Math.abs(value))));
 export const newtons = (force: number) => `${plain(force)} N`;
 export const degrees = (angle: number) => `${fixed(angle, 2)}°`;
 export const percent = (part: number) => `${fixed(100 * part, 1)} %`;
