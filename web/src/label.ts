@@ -14,15 +14,14 @@ export type Arrow = readonly [Point, Point];
 /** Where to put labels that belong near given points: each as near as it can, in turn. To cover an
  * arrow is as bad as to be 40 pixels away. */
 export function apart<Kind extends Label>(labels: Kind[], arrows: readonly Arrow[] = []): Kind[] {
-  const drawn = arrows.map(along);
   const placed: Kind[] = [];
   for (const label of labels) {
-    const covers = (y: number, at: Point, width: number, height: number) =>
+    const covers = (y: number, { at, width, height }: Label) =>
       Math.abs(at[0] - label.at[0]) < (width + label.width) / 2 && Math.abs(at[1] - y) < (height + label.height) / 2;
     const cost = (y: number) =>
       Math.abs(y - label.at[1]) +
-      (placed.some((other) => covers(y, other.at, other.width, other.height)) ? 1e4 : 0) +
-      40 * drawn.filter((points) => points.some((p) => covers(y, p, 6, 6))).length;
+      (placed.some((other) => covers(y, other)) ? 1e4 : 0) +
+      40 * arrows.filter((arrow) => crosses(arrow, [label.at[0], y], [label.width / 2 + 3, label.height / 2 + 3])).length;
     const steps = Array.from({ length: 120 }, (_, k) => label.at[1] + (k % 2 ? 4 : -4) * Math.ceil(k / 2));
     const costs = steps.map(cost);
     placed.push({ ...label, at: [label.at[0], steps[costs.indexOf(Math.min(...costs))]!] });
@@ -30,8 +29,16 @@ export function apart<Kind extends Label>(labels: Kind[], arrows: readonly Arrow
   return placed;
 }
 
-const along = ([[x0, y0], [x1, y1]]: Arrow) =>
-  Array.from({ length: 25 }, (_, k): Point => [x0 + ((x1 - x0) * k) / 24, y0 + ((y1 - y0) * k) / 24]);
+/** Whether an arrow meets a box about a point. */
+function crosses([from, to]: Arrow, at: Point, half: Point): boolean {
+  let [enters, leaves] = [0, 1];
+  for (const k of [0, 1] as const) {
+    const ways = [-half[k], half[k]].map((side) => (at[k] + side - from[k]) / (to[k] - from[k]));
+    enters = Math.max(enters, Math.min(...ways));
+    leaves = Math.min(leaves, Math.max(...ways));
+  }
+  return enters <= leaves;
+}
 
 export interface Finger {
   name: string;

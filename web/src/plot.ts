@@ -24,7 +24,7 @@ const margin = { left: 58, right: 16, top: 14, bottom: 38 };
 
 export class Plot {
   readonly view: View = { squared: false, logarithmic: false, bounds: false };
-  readonly picture = node('svg', { 'aria-label': 'The least effort over all postures' });
+  readonly picture = node('svg', { role: 'group', 'aria-label': 'The least effort over all postures' });
   private readonly layers = node('g', { class: 'passive' });
   private readonly area = node('rect', { class: 'area' });
   private readonly marks = node('g');
@@ -61,9 +61,8 @@ export class Plot {
     for (const element of [this.area, this.handle])
       draggable(element, (event) => {
         follow(event);
-        this.handle.focus();
         return follow;
-      });
+      }, this.handle);
     keySteps(this.handle, (dx, dy) => this.model.turnTo(this.model.angle + dx + dy));
   }
 

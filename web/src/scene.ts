@@ -49,7 +49,7 @@ export class Scene {
     parent: HTMLElement,
     private readonly model: PlanarModel,
   ) {
-    this.picture = node('svg', { 'aria-label': 'The object as it is held, gravity pointing down' });
+    this.picture = node('svg', { role: 'group', 'aria-label': 'The object as it is held, gravity pointing down' });
     this.picture.append(this.back, this.body, this.cones, this.front, this.handles, this.com);
     parent.prepend(this.picture);
     this.com.append(

@@ -61,10 +61,12 @@ export function place(picture: SVGSVGElement, event: PointerEvent): Point {
   return [event.clientX - box.left, event.clientY - box.top];
 }
 
-/** Follows the pointer from where it goes down on an element; `begin` may refuse. */
+/** Follows the pointer from where it goes down on an element; `begin` may refuse. What is dragged by
+ * that gets the focus: not for all to see, until a key is pressed. */
 export function draggable(
   element: SVGElement,
   begin: (event: PointerEvent) => ((event: PointerEvent) => void) | undefined,
+  dragged = element,
 ): void {
   element.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
@@ -72,11 +74,11 @@ export function draggable(
     if (!move) return;
     event.stopPropagation();
     event.preventDefault();
-    element.focus();
+    dragged.focus();
+    dragged.dataset.hand = 'down';
     element.setPointerCapture(event.pointerId);
-    element.classList.add('dragged');
     const end = () => {
-      element.classList.remove('dragged');
+      if (dragged.dataset.hand) dragged.dataset.hand = 'up';
       element.removeEventListener('pointermove', move);
       element.removeEventListener('pointerup', end);
       element.removeEventListener('pointercancel', end);
@@ -85,6 +87,7 @@ export function draggable(
     element.addEventListener('pointerup', end);
     element.addEventListener('pointercancel', end);
   });
+  for (const kind of ['keydown', 'blur']) dragged.addEventListener(kind, () => delete dragged.dataset.hand);
 }
 
 /** Arrow keys as steps: right and up are forwards; with Shift a tenth. */
