@@ -6,10 +6,10 @@ import { asPng, asSvg, fileName, fromLink, keep, toLink, yaml, type Picture } fr
 import type { Grasp, PlanarGrasp, SpatialGrasp, Vec } from './grasp';
 import { unpacked } from './lzma';
 import type { Triangles } from './mesh';
-import { drawMinima, drawSpatialMinima, PlanarControls, SpatialControls } from './panel';
+import { drawMinima, drawSpatialMinima, html, PlanarControls, SpatialControls } from './panel';
 import { asPaper } from './paper';
 import { Plot } from './plot';
-import { first, presets } from './presets';
+import { first, presets, type Preset } from './presets';
 import { Scene } from './scene';
 import { SpatialModel } from './space';
 import { SphereView } from './sphere';
@@ -22,6 +22,12 @@ const find = <Kind extends HTMLElement>(id: string) => document.getElementById(i
 const wasm = unpacked(Uint8Array.from(atob(packed), (character) => character.charCodeAt(0)), size).buffer;
 await start(wasm);
 
+/** A posture as results tell it: in the plane by its angle, too. */
+interface Told {
+  up: readonly number[];
+  angle_deg?: number;
+}
+
 /** A grasp in the plane, or in space: its model, its views. */
 interface Sheet<Kind extends Grasp> {
   /** @throws BadGrasp, and nothing changes. */
@@ -30,30 +36,31 @@ interface Sheet<Kind extends Grasp> {
   /** The grasp as it is shown, in its posture. */
   current(): Kind;
   pictures(): Picture[];
-  /** To a posture as results tell it, and the effort that it needs there. */
-  turnTo(posture: { angle_deg?: number; up: readonly number[] }): number | undefined;
+  turnTo(posture: Told): void;
+  /** What a posture needs, if it can be held. */
+  effortAt(posture: Told): number | undefined;
 }
 
 /** What is said of a file or a link, until something else is done. */
 let notice = { text: '', bad: false };
 
-function paragraphs(words: string[]): HTMLElement[] {
-  return words.map((each) => {
-    const paragraph = document.createElement('p');
-    paragraph.textContent = each;
-    return paragraph;
-  });
+/** Words that a screen reader says when they change, and only then: in paragraphs, or in one. */
+function tell(element: HTMLElement, words: string[], kind: 'p' | 'span'): void {
+  const between = kind === 'p' ? '' : ' ';
+  if (element.textContent !== words.join(between))
+    element.replaceChildren(...words.flatMap((each, k) => [k ? between : '', html(kind, {}, each)]));
 }
 
 function drawWords(at: string, hold: AnyHold, reasons: string[], problem: string, warnings: string[]): void {
-  find('verdict').textContent = hold.holdable
-    ? `At ${at} ${hold.manner}: force norm √V ${newtons(hold.force_norm)}, effort V ${plain(hold.effort)} N², grip force ${newtons(hold.grip_force)}`
-    : `At ${at} it cannot be held`;
+  // No line ends between a number and its unit.
+  tell(find('verdict'), hold.holdable
+    ? [`At ${at} ${hold.manner}:`, `force norm √V ${newtons(hold.force_norm)},`, `effort V ${plain(hold.effort)} N²,`, `grip force ${newtons(hold.grip_force)}`]
+    : [`At ${at} it cannot be held`], 'span');
   find('verdict').classList.toggle('not-held', !hold.holdable);
-  find('why').replaceChildren(...paragraphs(reasons));
+  tell(find('why'), reasons, 'p');
   const doubts = warnings.slice(0, 3).map((line) => line.replace(/^\S+: /, ''));
   if (warnings.length > 3) doubts.push(`And ${warnings.length - 3} more warnings.`);
-  find('problem').textContent = notice.text || problem || doubts.join(' ');
+  tell(find('problem'), [notice.text || problem || doubts.join(' ')], 'span');
   find('problem').classList.toggle('bad', notice.text ? notice.bad : problem !== '');
 }
 
@@ -126,10 +133,12 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
     return [{ overlay: this.scene.picture }, { overlay: this.plot.picture }];
   }
 
-  turnTo({ angle_deg }: { angle_deg?: number }): number | undefined {
-    if (angle_deg === undefined) return undefined;
-    this.model.turnTo(angle_deg);
-    return this.model.effortAt(angle_deg);
+  turnTo({ angle_deg }: Told): void {
+    this.model.turnTo(angle_deg!);
+  }
+
+  effortAt({ angle_deg }: Told): number | undefined {
+    return this.model.effortAt(angle_deg!);
   }
 
   draw(): void {
@@ -177,12 +186,14 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
   }
 
   pictures(): Picture[] {
-    return [this.scene.image, { ...this.sphere.image, legend: this.sphere.legend }];
+    return [this.scene.image, this.sphere.image];
   }
 
-  turnTo({ up }: { up: readonly number[] }): number | undefined {
-    if (up?.length !== 3) return undefined;
+  turnTo({ up }: Told): void {
     this.model.turnTo(up as unknown as Vec);
+  }
+
+  effortAt({ up }: Told): number | undefined {
     return this.model.effortAt(up as unknown as Vec);
   }
 
@@ -201,10 +212,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
   }
 }
 
-interface Shown {
-  grasp: Grasp;
-  mesh?: Triangles;
-}
+type Shown = Omit<Preset, 'label'>;
 
 let plane: PlaneSheet | undefined;
 let space: SpaceSheet | undefined;
@@ -228,7 +236,7 @@ function show({ grasp, mesh }: Shown): void {
 
 /** The grasp that `poise view` wrote into the page, and what it looks like if its shape is a mesh. */
 const [given, mesh]: [Grasp | null, Triangles | null] = ['grasp', 'mesh'].map((id) => JSON.parse(find(id).textContent ?? 'null')) as [Grasp | null, Triangles | null];
-const all: (Shown & { label: string })[] = presets.flatMap(({ grasps }) => grasps);
+const all: Preset[] = presets.flatMap(({ grasps }) => grasps);
 const select = find<HTMLSelectElement>('preset');
 for (const { group, grasps } of presets) {
   const options = document.createElement('optgroup');
@@ -267,12 +275,10 @@ function open(bytes: Uint8Array, name: string): void {
   }
 }
 
-interface Result {
+interface Result extends Partial<Told> {
   poise_result: number;
-  up?: readonly number[];
-  angle_deg?: number;
   effort?: number;
-  best?: { up: readonly number[]; angle_deg?: number; effort: number } | null;
+  best?: (Told & { effort: number }) | null;
 }
 
 function resultIn(bytes: Uint8Array): Result | undefined {
@@ -284,16 +290,19 @@ function resultIn(bytes: Uint8Array): Result | undefined {
   }
 }
 
-/** Turns the object as a result says; words where it does not fit what is shown. */
+/** Turns the object as a result says; one that does not fit what is shown changes nothing, and words
+ * say so. */
 function follow(result: Result, name: string): string {
-  const posture = result.best ?? result;
-  if (!Array.isArray(posture.up) || !sheet) return `${name}: is a result without a posture to show`;
-  const { up, angle_deg, effort } = posture;
-  const here = sheet.turnTo({ up, ...(typeof angle_deg === 'number' && { angle_deg }) });
+  const { up, angle_deg, effort } = result.best ?? result;
+  const planar = up?.length === 2 && typeof angle_deg === 'number';
+  if (!sheet || !up || !(planar || up.length === 3)) return `${name}: is a result without a posture to show`;
+  if (planar !== (sheet === plane)) return `${name}: is of a grasp in ${planar ? 'the plane' : 'space'}, not of the one that is shown`;
+  const posture = { up, ...(planar && { angle_deg }) };
+  const here = sheet.effortAt(posture);
   const fits = here === effort || (here !== undefined && effort !== undefined && Math.abs(here - effort) < 1e-6 * effort);
-  if (fits) return '';
+  if (fits) sheet.turnTo(posture);
   const needs = (value: number | undefined) => (value === undefined ? 'cannot be held' : `needs ${plain(value)} N²`);
-  return `${name}: is of another grasp than the one that is shown: there its posture ${needs(effort)}, here it ${needs(here)}`;
+  return fits ? '' : `${name}: is of another grasp than the one that is shown: there its posture ${needs(effort)}, here it ${needs(here)}`;
 }
 
 /** More than is ever read is not needed to refuse it. */
@@ -307,7 +316,8 @@ const openFile = async (file: File | undefined) => {
 
 async function openLink(): Promise<boolean> {
   const bytes = await fromLink(location.hash);
-  if (bytes) open(bytes, 'link');
+  if (bytes?.length) open(bytes, 'link');
+  else if (bytes) say('link: is damaged, and holds no grasp', true);
   return bytes !== undefined;
 }
 
@@ -333,12 +343,17 @@ find<HTMLInputElement>('file').addEventListener('change', async ({ target }) => 
   input.value = '';
 });
 const menu = find<HTMLDetailsElement>('save');
+const close = () => {
+  // What has the focus does not vanish.
+  if (menu.contains(document.activeElement)) menu.querySelector('summary')!.focus();
+  menu.open = false;
+};
 for (const button of menu.querySelectorAll('button'))
   button.addEventListener('click', () => {
-    menu.open = false;
+    close();
     void save(button.dataset.as!);
   });
-addEventListener('keydown', ({ key }) => key === 'Escape' && (menu.open = false));
+addEventListener('keydown', ({ key }) => key === 'Escape' && close());
 addEventListener('pointerdown', ({ target }) => menu.contains(target as Node) || (menu.open = false));
 // What was said of a file is over as soon as something else is done.
 for (const kind of ['pointerdown', 'input', 'change'])

@@ -97,6 +97,24 @@ await page.click('#reset');
 await frame(page);
 expect((await verdict(page)).includes('300.0 N²'), 'start again');
 
+// Where it rests on one finger, the other has nothing to do.
+await page.locator('#minima button', { hasText: 'resting' }).first().click();
+await frame(page);
+expect((await page.locator('#plane .force.label').allTextContents()).sort().join() === '0 N,10.00 N', 'the forces of a rest', await page.locator('#plane .force.label').allTextContents());
+expect((await page.locator('td.number').allTextContents()).sort().join() === '0 N,0.0 %,10.00 N,unloaded', 'the same in the table', await page.locator('td.number').allTextContents());
+await page.click('#reset');
+await frame(page);
+
+// A limit by its slider: at the end there is none.
+const slider = page.getByLabel('Greatest normal force of left, slider [N]');
+const most = page.getByLabel('Greatest normal force of left [N]');
+expect(await changes('a limit', () => slider.fill('12')), 'a limit changes the curve');
+expect((await most.inputValue()) === '12', 'the number follows', await most.inputValue());
+await slider.focus();
+await page.keyboard.press('End');
+await frame(page);
+expect((await most.inputValue()) === '' && (await verdict(page)).includes('300.0 N²'), 'no limit', await most.inputValue(), await verdict(page));
+
 // By keyboard.
 await page.locator('.posture').focus();
 await changes('a key on the posture', async () => { await page.keyboard.press('ArrowRight'); await frame(page); });

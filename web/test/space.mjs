@@ -19,7 +19,7 @@ const four = (value) => (value === 0 ? '0' : value.toFixed(Math.min(Math.max(3 -
 const fixed = (value, digits) => value.toFixed(digits).replace(/^-(0\.0*)$/, '$1');
 const page = await open(built);
 const labels = await page.$$eval('#preset option', (all) => all.map(({ label }) => label));
-expect(labels.length >= 14, 'as many presets as before', labels.length);
+expect(labels.length >= 18, 'as many presets as before', labels.length);
 for (const label of labels) {
   await page.selectOption('#preset', { label });
   await frame(page);
@@ -119,13 +119,18 @@ await settled(page);
 await shows('box between two hard jaws');
 expect((await page.textContent('#why')).includes('It would turn about the line through contacts 0 and 1'), 'why it falls', await page.textContent('#why'));
 await page.screenshot({ path: `${out}space-falls.png` });
-await page.getByLabel('Torsion of left', { exact: false }).fill('-1');
+await page.getByLabel('Torsion of left [m]').fill('-1');
 await frame(page);
 expect((await page.textContent('#problem')).startsWith('contacts[0].torsion: is -1'), 'a bad number', await page.textContent('#problem'));
-await page.getByLabel('Torsion of left', { exact: false }).fill('0');
+await page.getByLabel('Torsion of left [m]').fill('0');
 await frame(page);
 
 // By keyboard.
+await page.locator('#save summary').focus();
+await page.keyboard.press('Enter');
+await page.keyboard.press('Tab');
+await page.keyboard.press('Escape');
+expect(await page.evaluate(() => !document.querySelector('#save').open && document.activeElement.tagName === 'SUMMARY'), 'a closed menu keeps the focus');
 await page.locator('#sphere circle.area').focus();
 await changes('a key on the sphere', () => page.keyboard.press('ArrowUp'));
 await shows('cylinder in three fingers');
@@ -156,7 +161,8 @@ for (const as of ['yaml', 'json']) {
   await settled(page);
   expect((await page.textContent('#problem')) === '', `opened from ${as}`, await page.textContent('#problem'));
 }
-expect((await saved(page, 'svg')).includes('</svg>'), 'saved as SVG');
+const drawn = (await saved(page, 'svg')).toString();
+expect(drawn.includes('</svg>') && !drawn.includes('var('), 'saved as SVG, with the colours written out');
 expect((await saved(page, 'png')).subarray(1, 4).toString() === 'PNG', 'saved as PNG');
 await page.click('#save summary');
 await page.click('[data-as=link]');
@@ -165,6 +171,10 @@ const linked = await open(`${built}${new URL(page.url()).hash}`);
 await settled(linked);
 expect((await verdict(linked)) === (await verdict(page)), 'a link shows the same', await verdict(linked));
 await linked.close();
+const damaged = await open(`${built}#grasp=abc`);
+expect((await damaged.textContent('#problem')) === 'link: is damaged, and holds no grasp', 'a damaged link', await damaged.textContent('#problem'));
+expect((await verdict(damaged)).includes('300.0 N²'), 'which loses nothing');
+await damaged.close();
 
 // A drop, as the browser hands it over.
 const drop = async (name, bytes) => {
@@ -183,6 +193,9 @@ expect((await page.textContent('#problem')) === '', 'a result of this grasp', aw
 expect((await verdict(page)).includes(`force norm √V ${four(JSON.parse(best).best.force_norm)} N`), 'its posture', await verdict(page));
 await drop('other.json', readFileSync(`${root}build/fixtures/box-soft-jaws.best.json`));
 expect((await page.textContent('#problem')).includes('is of another grasp'), 'a result of another grasp', await page.textContent('#problem'));
+expect((await verdict(page)).includes(`force norm √V ${four(JSON.parse(best).best.force_norm)} N`), 'which turns nothing', await verdict(page));
+await drop('plane.json', readFileSync(`${root}build/fixtures/l-part.best.json`));
+expect((await page.textContent('#problem')) === 'plane.json: is of a grasp in the plane, not of the one that is shown', 'a result of the plane', await page.textContent('#problem'));
 
 // Ten bad files: the words of the program, and nothing is lost.
 const good = readFileSync(`${root}examples/bottle.yaml`, 'utf8');

@@ -2,6 +2,8 @@ import { describe, expect, test } from 'vitest';
 import type { Vec } from '../src/grasp';
 import { apart } from '../src/label';
 import { bodyOf, bodyOfMesh, hit, icosahedron, onSurface, polytope, refined, type Body } from '../src/mesh';
+import { folded, unfolded } from '../src/fold';
+import { circle, flat } from '../src/ring';
 import { rounds } from '../src/scale';
 import { about, add, after, angle, cross, dot, frame, length, minus, times, towards, turned, turnedBack, unit } from '../src/turn';
 
@@ -139,4 +141,41 @@ test('labels do not lie on one another', () => {
   labels.forEach((a, i) => labels.slice(i + 1).forEach((b) =>
     expect(Math.abs(a.at[0] - b.at[0]) >= 60 || Math.abs(a.at[1] - b.at[1]) >= 30).toBe(true)));
   expect(labels[0]!.at).toEqual([100, 50]);
+});
+
+test('labels leave arrows free where they can', () => {
+  const arrow = [[0, 50], [200, 50]] as const;
+  const [label] = apart([{ at: [100, 52] as const, width: 60, height: 30 }], [arrow]);
+  expect(Math.abs(label!.at[1] - 50)).toBeGreaterThanOrEqual(18);
+  expect(Math.abs(label!.at[1] - 52)).toBeLessThan(30);
+  // Not at any price: an arrow that goes on and on is covered.
+  const [stuck] = apart([{ at: [100, 52] as const, width: 60, height: 30 }], [[[100, -500], [100, 600]]]);
+  expect(stuck!.at).toEqual([100, 52]);
+});
+
+test('folded meshes are the same to half a hundredth of a millimetre', () => {
+  const body = bodyOf({ cylinder: { radius: 0.04, height: 0.1 } });
+  const again = unfolded(JSON.parse(JSON.stringify(folded(body))));
+  expect(again.triangles).toEqual(body.triangles);
+  again.points.forEach((p, k) => close(p, body.points[k]!, 0.9e-5));
+});
+
+describe('a plane of loads', () => {
+  const n = unit([1, 2, 3]);
+  const wall = { a: times(1e9, n), b: 0 };
+  const back = { a: times(-3e9, n), b: 1e-9 };
+  test('is what two walls leave', () => {
+    const found = flat([{ a: [3, 4, 5], b: 2 }, wall, { a: [0, 0, -7], b: 2 }, back], 2)!;
+    close(times(Math.sign(dot(found, n)), found), n);
+  });
+  test('is not what one wall leaves, nor two with room between them', () => {
+    expect(flat([wall, { a: [3, 4, 5], b: 2 }], 2)).toBeUndefined();
+    expect(flat([{ a: n, b: 2 }, { a: times(-1, n), b: 2 }], 2)).toBeUndefined();
+  });
+  test('is gone round once', () => {
+    const ups = circle(n);
+    close(ups[0]!, ups.at(-1)!);
+    for (const up of ups) expect([dot(up, n), length(up) - 1].every((each) => Math.abs(each) < 1e-12)).toBe(true);
+    for (const [k, up] of ups.slice(1).entries()) expect(angle(up, ups[k]!)).toBeCloseTo(Math.PI / 180, 9);
+  });
 });
