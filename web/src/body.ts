@@ -231,9 +231,10 @@ export class BodyView {
       const own = check.contacts.filter((contact) => contact.finger === name);
       const mean = (points: Vec[]) => times(1 / own.length, points.reduce(add));
       const [x, y] = turned(view, turned(this.model.orientation, mean(own.map((each) => times(-1, each.normal)))));
+      const aside = Math.hypot(x, y);
       const force = hold.holdable ? hold.fingers.find((each) => each.finger === name)?.force : undefined;
       // Above one that is seen from behind or from in front.
-      return { name, at: this.screen(mean(own.map((each) => each.position))), out: [x, -y - Math.max(0, 1 - Math.hypot(x, y))], force: force && length(force) };
+      return { name, at: this.screen(mean(own.map((each) => each.position))), out: aside > 0.35 ? [x / aside, -y / aside] : [0, -1], force: force && length(force) };
     });
     this.back.replaceChildren(line([from[0], 0], [from[0], this.size[1]], 'vertical'));
     this.front.replaceChildren(...labels(fingers, weight, tip, [...arrows, [from, tip]], this.size));
