@@ -24,8 +24,8 @@ export const browser = await chromium.launch({
     '--disable-background-networking', '--disable-component-update'],
 });
 
-export async function open(file, { width = 1280, height = 800, colorScheme = 'light' } = {}) {
-  const page = await browser.newPage({ viewport: { width, height }, colorScheme });
+export async function open(file, { width = 1280, height = 800, colorScheme = 'light', deviceScaleFactor = 1 } = {}) {
+  const page = await browser.newPage({ viewport: { width, height }, colorScheme, deviceScaleFactor });
   page.setDefaultTimeout(patience);
   page.on('console', (message) => expect(false, 'a console message', message.text()));
   page.on('pageerror', (error) => expect(false, 'an error', error.stack));
