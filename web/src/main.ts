@@ -57,7 +57,7 @@ function drawWords(at: string, hold: AnyHold, reasons: string[], problem: string
     ? [`At ${at} ${hold.manner}:`, `force norm √V ${newtons(hold.force_norm)},`, `effort V ${plain(hold.effort)} N²,`, `grip force ${newtons(hold.grip_force)}`]
     : [`At ${at} it cannot be held`], 'span');
   find('verdict').classList.toggle('not-held', !hold.holdable);
-  tell(find('why'), reasons, 'p');
+  tell(find('why'), reasons.map((each) => each.replace(/(\d) (?=N|%)/g, '$1\u00a0')), 'p');
   const doubts = warnings.slice(0, 3).map((line) => line.replace(/^\S+: /, ''));
   if (warnings.length > 3) doubts.push(`And ${warnings.length - 3} more warnings.`);
   tell(find('problem'), [notice.text || problem || doubts.join(' ')], 'span');

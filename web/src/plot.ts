@@ -104,6 +104,8 @@ export class Plot {
     const y = this.vertical();
     const inside = node('g', { 'clip-path': 'url(#inside)' });
     inside.append(...this.shades(), ...this.grid(y.ticks, y.at));
+    const bounds = this.showsBounds() ? this.bounds(y.at) : { lines: [], names: [] };
+    inside.append(...bounds.lines);
     const { curve } = this.model.answers;
     for (const points of samples(curve, 180 / this.width()))
       inside.append(
@@ -112,8 +114,7 @@ export class Plot {
           class: 'curve',
         }),
       );
-    if (this.showsBounds()) inside.append(...this.bounds(y.at));
-    inside.append(this.now(this.drawOptima(y.at)));
+    inside.append(...bounds.names, this.now(this.drawOptima(y.at)));
     this.layers.replaceChildren(inside, ...this.axes(y.ticks, y.at));
     this.drawHandle(y.at);
   }
@@ -194,45 +195,41 @@ export class Plot {
   }
 
   /** The paper's lower bounds on the internal force, in its range of pinching up. */
-  private bounds(at: (value: number) => number): Node[] {
+  private bounds(at: (value: number) => number): { lines: Node[]; names: Node[] } {
+    const all: { lines: Node[]; names: Node[] } = { lines: [], names: [] };
     const paper = asPaper(this.model.answers.grasp);
-    if (!paper) return [];
+    if (!paper) return all;
     const range = 180 - (paper.phi * 180) / Math.PI;
     const steps = 200;
     const angles = Array.from({ length: steps + 1 }, (_, k) => range * ((2 * k) / steps - 1));
     const names = ['α₁', 'α₂', 'α₃ = α₄', '', 'α₅', 'α₆'];
-    return names.flatMap((name, k) => {
-      if (!name) return [];
+    for (const [k, name] of names.entries()) {
       const value = (angle: number) => alphas(paper, paper.axis + angle)[k]!;
-      if (!Number.isFinite(value(0))) return [];
-      const shown = angles.filter((angle) => value(angle) > 0);
-      const lines = runs(shown, (2.5 * range) / steps).flatMap(([from, to]) =>
-        [-360, 0, 360].map((turn) =>
-          node('path', {
-            d: path(
-              angles
-                .filter((angle) => angle >= from && angle <= to)
-                .map((angle): Point => [this.x(paper.axis + angle + turn), at(value(angle))]),
-            ),
-            class: `bound bound-${k + 1}`,
-          }),
-        ),
-      );
+      if (!name || !Number.isFinite(value(0))) continue;
+      for (const turn of [-360, 0, 360]) {
+        const points = angles.map((angle): Point => [this.x(paper.axis + angle + turn), at(value(angle))]);
+        all.lines.push(node('path', { d: path(points), class: `bound bound-${k + 1}` }));
+      }
       // Named where it is in sight, each at another part of the way, and away from the curve.
       const floor = margin.top + this.height();
-      const visible = shown.filter((angle) => at(value(angle)) > margin.top + 18 && at(value(angle)) < floor - 6);
+      const visible = angles.filter((angle) => at(value(angle)) > margin.top + 18 && at(value(angle)) < floor - 6);
       const angle = visible[Math.floor(visible.length * [0.6, 0.4, 0.96, 0, 0.2, 0.86][k]!)];
-      if (angle === undefined) return lines;
+      if (angle === undefined) continue;
       const where: Point = [this.x(wrapped(paper.axis + angle)), at(value(angle)) + 4];
-      return [...lines, k === 2 ? text(name, [where[0] - 9, where[1]], 'bound-name', 'end') : text(name, where, 'bound-name')];
-    });
+      all.names.push(k === 2 ? text(name, [where[0] - 9, where[1]], 'bound-name', 'end') : text(name, where, 'bound-name'));
+    }
+    return all;
   }
 
   /** Gives what is written beside the optima. */
   private drawOptima(at: (value: number) => number): Written[] {
     const taken: Written[] = [];
     const { best } = this.model.answers;
-    const marks = this.model.answers.curve.optima.map((optimum) => {
+    const named = ({ angle_deg }: Optimum) =>
+      best.best?.angle_deg === angle_deg ? 'best' : best.best_pinched?.angle_deg === angle_deg ? 'best pinched' : '';
+    const floor = margin.top + this.height();
+    // Where there is no room for all words, those of the best are there.
+    const marks = [...this.model.answers.curve.optima].sort((a, b) => Number(!named(a)) - Number(!named(b))).map((optimum) => {
       const centre: Point = [this.x(optimum.angle_deg), at(this.value(optimum.effort))];
       const mark = node('g', { class: `optimum ${optimum.type}` });
       if (centre[1] < margin.top - 1) return mark;
@@ -242,20 +239,13 @@ export class Plot {
       );
       mark.addEventListener('click', () => this.model.turnTo(optimum.angle_deg));
       if (optimum.type === 'max' || this.showsBounds()) return mark;
-      const name =
-        best.best?.angle_deg === optimum.angle_deg
-          ? 'best'
-          : best.best_pinched?.angle_deg === optimum.angle_deg
-            ? 'best pinched'
-            : optimum.manner;
-      const words = `${name}, ${optimum.kind}`;
+      const words = `${named(optimum) || optimum.manner}, ${optimum.kind}`;
       const half = 3.3 * words.length + 2;  // about: 12 px high
       const x = Math.min(Math.max(centre[0], margin.left + half), this.x(180) - half);
-      const floor = margin.top + this.height();
       const free = (way: number) =>
         centre[1] + way + 14 < floor &&
         taken.every((other) => Math.abs(other.x - x) >= other.half + half || Math.abs(other.y - centre[1] - way) >= 28);
-      const way = [20, 48, -31].find(free);
+      const way = [20, ...(this.width() > 400 || named(optimum) ? [48] : []), -31].find(free);
       if (way === undefined) return mark;
       const y = centre[1] + way;
       taken.push({ x, y, half });
@@ -291,17 +281,6 @@ export class Plot {
           : `${degrees(angle)}, force norm ${plain(Math.sqrt(effort))} N`,
     });
   }
-}
-
-/** Numbers in rising order as stretches without a gap. */
-function runs(numbers: number[], gap: number): Range[] {
-  const found: Range[] = [];
-  for (const value of numbers) {
-    const last = found.at(-1);
-    if (last && value - last[1] <= gap) last[1] = value;
-    else found.push([value, value]);
-  }
-  return found;
 }
 
 const sentence = (each: Optimum) =>
