@@ -16,7 +16,7 @@ TEST(BadFiles, AreRefusedInTheseWords) {
       ADD_FAILURE() << bad.name << ": was read";
     } catch (const FileError& error) {
 #ifdef __wasm__
-      if (error.problem().ends_with("where there are no files: use the program")) continue;
+      if (error.problem().ends_with("where there are no files: use poise view")) continue;
 #endif
       EXPECT_EQ(error.what(), "f.yaml:" + bad.message) << bad.name;
       EXPECT_EQ(error.what(), located(error.file(), {error.line(), error.column()}, error.path(),

@@ -5,7 +5,7 @@ namespace poise {
 namespace {
 
 [[noreturn]] void refuse() {
-  throw ReadError("cannot be read here, where there are no files: use the program");
+  throw ReadError("cannot be read here, where there are no files: use poise view");
 }
 
 }  // namespace
