@@ -34,7 +34,7 @@ const foldedMeshes: Plugin = {
 // One file that opens from the disk: scripts, styles and the WebAssembly core within it.
 export default defineConfig({
   base: './',
-  build: { target: 'es2022', rolldownOptions: { input: 'playground.html' } },
+  build: { target: 'es2022', modulePreload: { polyfill: false }, rolldownOptions: { input: 'playground.html' } },
   resolve: { alias: { '@core': new URL('../bindings/wasm/poise.mjs', import.meta.url).pathname, '@examples': built('fixtures') } },
   test: { include: ['test/*.test.{ts,mjs}'] },
   plugins: [coreAsText, foldedMeshes, viteSingleFile()],

@@ -17,8 +17,8 @@ declare module '*?worker&inline' {
 
 /** A grasp file of examples/, as JSON; if its shape is a mesh, with that. */
 declare module '@examples/*.mesh.json' {
-  export const grasp: import('./grasp').SpatialGrasp;
-  export const mesh: import('./fold').Folded;
+  const example: { grasp: import('./grasp').SpatialGrasp; mesh: import('./fold').Folded };
+  export default example;
 }
 declare module '@examples/*.grasp.json' {
   const grasp: import('./grasp').Grasp;
