@@ -41,6 +41,13 @@ export function refined(sphere: Triangles, times: number): Triangles {
   return refined({ points, triangles }, times - 1);
 }
 
+/** Those triangles made four whose corners are not all of one kind; the new points come last. */
+export function split({ points, triangles }: Triangles, kind: (point: number) => unknown): Triangles {
+  const mixed = (corners: readonly number[]) => corners.some((k) => kind(k) !== kind(corners[0]!));
+  const finer = refined({ points, triangles: triangles.filter(mixed) }, 1);
+  return { points: finer.points, triangles: [...triangles.filter((corners) => !mixed(corners)), ...finer.triangles] };
+}
+
 const around = 72;
 const circle = (radius: number, z: number): Vec[] =>
   Array.from({ length: around }, (_, k) => {

@@ -7,7 +7,7 @@ import type { Ring } from './ring';
 import { about, after, angle, length, minus, towards, turned, turnedBack, unit, type Turn } from './turn';
 import { radians } from './vector';
 import Worker from './worker?worker&inline';
-import type { Part, Task } from './worker';
+import type { Coloured, Part, Task } from './worker';
 
 export interface SpatialAnswers {
   grasp: SpatialGrasp;
@@ -21,7 +21,7 @@ export interface Found {
   planes?: Plane[];
   /** All around in the only plane of directions that can be held, where there is but that. */
   ring?: Ring | undefined;
-  sphere?: { level: number; efforts: (number | null)[] };
+  sphere?: Coloured;
 }
 
 export interface Ball {

@@ -3,13 +3,14 @@ import { turnable, view } from './body';
 import type { Picture } from './files';
 import { Canvas, colour, seen, type Colour, type Eye, type Loaded } from './gl';
 import type { Point, Vec } from './grasp';
-import { icosahedron, polytope, refined, type Triangles } from './mesh';
+import { icosahedron, polytope, refined, split, type Triangles } from './mesh';
 import { rounds } from './scale';
 import type { SpatialModel } from './space';
 import { line, node, place, set, text } from './svg';
 import { add, cross, dot, length, minus, times, turned, turnedBack, unit } from './turn';
 import { radians } from './vector';
 import { newtons, plain } from './words';
+import type { Coloured } from './worker';
 
 /** Light where little force is needed; darker and darker, so that it can be read without colour. */
 const ramp = ['#f4f7ec', '#b9dcd6', '#6cb1ce', '#2b73ad', '#0f3569'].map((hex): Colour => {
@@ -34,6 +35,7 @@ export class SphereView {
   private readonly marks = node('g', { class: 'minima' });
   private eye!: Eye;
   private size: Point = [500, 330];
+  private known: { of: Coloured; net: Triangles } | undefined;
   private drawn: unknown;
   private loaded: Loaded | undefined;
   private ring: { of: unknown; band: Loaded } | undefined;
@@ -67,13 +69,24 @@ export class SphereView {
     return unit(turnedBack(this.model.orientation, turnedBack(view, [x, y, Math.sqrt(rest)])));
   }
 
+  /** What efforts are of. */
+  private net(coloured: Coloured): Triangles {
+    if (this.known?.of !== coloured) {
+      const { level, efforts } = coloured;
+      let net = sphere(level);
+      while (net.points.length < efforts.length) net = split(net, (k) => efforts[k] === null);
+      this.known = { of: coloured, net };
+    }
+    return this.known.net;
+  }
+
   /** Force norms from the least of all to where colours end [N]. */
   range(): { low: number; high: number } | undefined {
     const { sphere: coloured, best, ring } = this.model.found;
     if (!coloured) return undefined;
     let [low, high] = [Infinity, 0];
     const { tilt } = this.model.answers.check;
-    const { points } = sphere(coloured.level);
+    const { points } = this.net(coloured);
     const inside = (p: Vec) => !tilt || dot(p, tilt.from) >= Math.cos(radians(tilt.max_deg));
     for (const effort of ring?.efforts ?? []) if (effort !== null) [low, high] = [Math.min(low, effort), Math.max(high, effort)];
     for (const [k, effort] of coloured.efforts.entries())
@@ -137,7 +150,7 @@ export class SphereView {
     if (coloured === this.drawn && this.loaded) return;
     this.drawn = coloured;
     this.canvas.drop(this.loaded);
-    const { points, triangles } = sphere(coloured?.level ?? 3);
+    const { points, triangles } = coloured ? this.net(coloured) : sphere(3);
     // What the band shows better is left to it.
     const efforts = this.model.found.ring ? [] : coloured?.efforts ?? [];
     // Beside what cannot be held, the colour of the nearest that can.
@@ -225,7 +238,7 @@ export class SphereView {
       const fan = rim.slice(1).flatMap((p, k): Vec[] => [[0, 0, 0], rim[k]!, p]);
       return this.canvas.loadBody({ points: fan, triangles: byThree(fan), normals: fan.map(() => ring.normal) });
     }
-    const { points, triangles } = sphere(coloured.level);
+    const { points, triangles } = this.net(coloured);
     const { tilt } = this.model.answers.check;
     const inside = points.map((p) => (tilt ? dot(p, tilt.from) - Math.cos(radians(tilt.max_deg)) : 1));
     const reach = points.map((p, k) => times(far(coloured.efforts[k]), p));

@@ -1,7 +1,7 @@
 // What takes longer than a frame: the certified best posture in space, and the efforts all around.
 import { askSpatial, BadGrasp, start, type Plane, type SpatialBest } from './core';
 import type { SpatialGrasp, Vec } from './grasp';
-import { refined, icosahedron } from './mesh';
+import { icosahedron, refined, split } from './mesh';
 import { circle, flat, type Ring } from './ring';
 
 export interface Task {
@@ -12,11 +12,20 @@ export interface Task {
 /** Parts of the answer to a task, as they come. */
 export type Part =
   | { id: number; best: SpatialBest; planes: Plane[]; ring: Ring | undefined }
-  | { id: number; level: number; efforts: (number | null)[] }
+  | ({ id: number } & Coloured)
   | { id: number; done: true };
 
-/** Spheres to be coloured: a rough one at once, a fine one in the end. */
+/** Efforts at the points of a sphere; then, of each `split` of it where postures can no longer be held,
+ * at the new ones. */
+export interface Coloured {
+  level: number;
+  efforts: (number | null)[];
+}
+
+/** Spheres to be coloured: a rough one at once, a fine one in the end, and finer where holdable postures
+ * end. */
 const levels = [3, 5];
+const finer = 2;
 
 let latest = -1;
 let ready: Promise<void>;
@@ -41,23 +50,22 @@ self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task>) => {
 
 function* parts({ grasp }: Task) {
   try {
-    const efforts = (level: number) => ({
-      level,
-      efforts: askSpatial('efforts', grasp, { ups: directions(level) }).efforts,
-    });
-    yield efforts(levels[0]!);
+    const efforts = (ups: Vec[]) => (ups.length ? askSpatial('efforts', grasp, { ups }).efforts : []);
+    yield { level: levels[0]!, efforts: efforts(refined(icosahedron, levels[0]!).points) };
     const best = askSpatial('best', grasp);
     const { planes } = askSpatial('planes', grasp, { cuts: best.cuts });
     const normal = best.lower_bound === null ? undefined : flat(planes, best.lower_bound);
     const ups = normal && circle(normal);
-    yield { best, planes, ring: ups && { normal, ups, efforts: askSpatial('efforts', grasp, { ups }).efforts } };
-    yield efforts(levels[1]!);
+    yield { best, planes, ring: ups && { normal, ups, efforts: efforts(ups) } };
+    let net = refined(icosahedron, levels[1]!);
+    const all = efforts(net.points);
+    for (let k = 0; k < finer && !normal; ++k) {
+      net = split(net, (point) => all[point] === null);
+      all.push(...efforts(net.points.slice(all.length)));
+    }
+    yield { level: levels[1]!, efforts: all };
   } catch (error) {
     // The page has been told already.
     if (!(error instanceof BadGrasp)) throw error;
   }
-}
-
-function directions(level: number): Vec[] {
-  return refined(icosahedron, level).points;
 }

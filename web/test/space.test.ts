@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import type { Vec } from '../src/grasp';
 import { apart } from '../src/label';
-import { bodyOf, bodyOfMesh, hit, icosahedron, onSurface, polytope, refined, type Body } from '../src/mesh';
+import { bodyOf, bodyOfMesh, hit, icosahedron, onSurface, polytope, refined, split, type Body } from '../src/mesh';
 import { folded, unfolded } from '../src/fold';
 import { circle, flat } from '../src/ring';
 import { rounds } from '../src/scale';
@@ -158,6 +158,26 @@ test('folded meshes are the same to half a hundredth of a millimetre', () => {
   const again = unfolded(JSON.parse(JSON.stringify(folded(body))));
   expect(again.triangles).toEqual(body.triangles);
   again.points.forEach((p, k) => close(p, body.points[k]!, 0.9e-5));
+});
+
+test('where something changes, a sphere is split, and covers as much as before', () => {
+  const inside = ([x, , z]: Vec) => z + 0.3 * x > 0.5;
+  let net = refined(icosahedron, 3);
+  const coarse = net.points.length;
+  for (let k = 0; k < 2; ++k) net = split(net, (point) => inside(net.points[point]!));
+  // By Girard: the areas on the unit sphere.
+  const area = net.triangles.reduce((sum, corners) => {
+    const [a, b, c] = corners.map((k) => net.points[k]!) as [Vec, Vec, Vec];
+    const wedge = (p: Vec, q: Vec, r: Vec) => angle(cross(p, q), cross(p, r));
+    return sum + wedge(a, b, c) + wedge(b, c, a) + wedge(c, a, b) - Math.PI;
+  }, 0);
+  expect(area).toBeCloseTo(4 * Math.PI, 9);
+  const long = net.triangles.filter((corners) => new Set(corners.map((k) => inside(net.points[k]!))).size > 1)
+    .map(([a, b]) => angle(net.points[a]!, net.points[b]!));
+  expect(Math.max(...long)).toBeLessThan(0.05);
+  expect(net.points.length).toBeLessThan(3 * coarse);
+  // What was there keeps its place.
+  expect(net.points.slice(0, coarse)).toEqual(refined(icosahedron, 3).points);
 });
 
 describe('a plane of loads', () => {
