@@ -1,11 +1,11 @@
 #include "files/grasp_writer.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "files/json_text.hpp"
 #include "files/result.hpp"
+#include "readers/readers.hpp"
 
 namespace poise {
 namespace {
@@ -129,7 +129,7 @@ std::string grasp_document(const SpatialFile& file, Held held, const std::string
   if (file.shape) {
     Solid shape = *file.shape;
     if (auto* mesh = std::get_if<MeshShape>(&shape); mesh && !folder.empty())
-      mesh->file = std::filesystem::proximate(mesh->file, folder).string();
+      mesh->file = path_from(folder, mesh->file);
     result["object"]["shape"] = shape_value(shape);
   }
   if (held == Held::by_gripper && file.gripper)

@@ -1,17 +1,12 @@
 #include "files/mesh_field.hpp"
 
 #include <cmath>
-#include <filesystem>
 
 #include "files/text.hpp"
 #include "shape/number_text.hpp"
 
 namespace poise {
 namespace {
-
-std::string path_from(const Field& field) {
-  return (std::filesystem::path(field.file()).parent_path() / field.text()).string();
-}
 
 [[noreturn]] void fail(const Field& field, const std::string& problem) {
   field.fail(shown(field.text()) + " " + problem);
@@ -51,7 +46,7 @@ MeshShape read_mesh_shape(const Field& field, double unit, std::vector<std::stri
   }
   try {
     std::vector<std::string> notes;
-    MeshShape shape = mesh_shape(path_from(file), scale, notes);
+    MeshShape shape = mesh_shape(path_beside(file.file(), file.text()), scale, notes);
     for (const std::string& note : notes)
       warnings.push_back(
           located(file.file(), file.place(), file.path(), shown(file.text()) + " " + note));
@@ -66,7 +61,7 @@ Inertial read_inertial(const Field& field) {
   const Field urdf = field.get("urdf", "a file");
   const std::string link = field.get("link", "the name of a link").text();
   try {
-    return read_inertial(path_from(urdf), link);
+    return read_inertial(path_beside(urdf.file(), urdf.text()), link);
   } catch (const ReadError& error) {
     fail(urdf, error.what());
   }

@@ -20,6 +20,12 @@ class ReadError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A path that a file names, seen from where the program runs: it is meant from the file's folder.
+std::string path_beside(const std::string& file, const std::string& path);
+
+/// A path as it is named in a file of a folder.
+std::string path_from(const std::string& folder, const std::string& path);
+
 /// The triangles of a file (STL, OBJ, PLY or glTF), its polygons cut into triangles, all its meshes
 /// where its nodes put them: as they stand there, open or closed, in the unit of the file.
 /// @throws ReadError
