@@ -21,33 +21,42 @@ export function unpacked(packed: Uint8Array, size: number): Uint8Array<ArrayBuff
   const [lengths, repLengths] = [place(514), place(514)];
   const chances = new Uint16Array(room).fill(1024);
 
-  const more = () => {
-    if (now[0]! >= 0x1000000) return;
-    now[0]! <<= 8;
-    now[1] = (now[1]! << 8) | packed[from++]!;
-  };
-  const bit = (k: number): number => {
-    const chance = chances[k]!;
-    const bound = (now[0]! >>> 11) * chance;
-    const one = now[1]! < bound ? 0 : 1;
-    if (one) {
-      now[0]! -= bound;
-      now[1]! -= bound;
-      chances[k] = chance - (chance >> 5);
-    } else {
-      now[0] = bound;
-      chances[k] = chance + ((2048 - chance) >> 5);
-    }
-    more();
-    return one;
-  };
-  /** A number of so many bits, the highest first. */
-  const number = (k: number, bits: number): number => {
+  /** Down a tree of bits to its leaves; a byte `other` tells which way it went, as long as that is right. */
+  const tree = (k: number, leaves: number, other = 0, guided = 0): number => {
+    // In variables of its own, which is where the time goes.
+    let range = now[0]!;
+    let code = now[1]!;
     let node = 1;
-    for (let n = 0; n < bits; ++n) node = (node << 1) | bit(k + node);
-    return node - (1 << bits);
+    while (node < leaves) {
+      other <<= 1;
+      const guess = other & guided;
+      const place = k + guided + guess + node;
+      const chance = chances[place]!;
+      const bound = (range >>> 11) * chance;
+      if (code < bound) {
+        range = bound;
+        chances[place] = chance + ((2048 - chance) >> 5);
+        node <<= 1;
+        guided &= ~guess;
+      } else {
+        range -= bound;
+        code -= bound;
+        chances[place] = chance - (chance >> 5);
+        node = (node << 1) | 1;
+        guided &= guess;
+      }
+      if (range < 0x1000000) {
+        range = (range << 8) >>> 0;
+        code = ((code << 8) | packed[from++]!) >>> 0;
+      }
+    }
+    now[0] = range;
+    now[1] = code;
+    return node - leaves;
   };
-  /** The lowest first. */
+  const bit = (k: number): number => tree(k - 1, 2);
+  const number = (k: number, bits: number): number => tree(k, 1 << bits);
+  /** The lowest bit first. */
   const reversed = (k: number, bits: number): number => {
     let [node, value] = [1, 0];
     for (let n = 0; n < bits; ++n) {
@@ -74,7 +83,9 @@ export function unpacked(packed: Uint8Array, size: number): Uint8Array<ArrayBuff
       const one = now[1]! >= now[0]! ? 1 : 0;
       now[1]! -= one * now[0]!;
       middle = (middle << 1) | one;
-      more();
+      if (now[0]! >= 0x1000000) continue;
+      now[0]! <<= 8;
+      now[1] = (now[1]! << 8) | packed[from++]!;
     }
     return high + (middle << 4) + reversed(align, 4);
   };
@@ -87,17 +98,9 @@ export function unpacked(packed: Uint8Array, size: number): Uint8Array<ArrayBuff
     if (!bit(isMatch + (state << 4) + aligned)) {
       const before = at ? result[at - 1]! : 0;
       const k = literals + 768 * (((at & ((1 << lp) - 1)) << lc) + (before >> (8 - lc)));
-      let node = 1;
-      if (state >= 7) {
-        // Behind a piece, the byte that would have gone on with it tells something.
-        for (let other = result[at - back[0]! - 1]!, same = 1; node < 256; other <<= 1) {
-          const guess = (other >> 7) & 1;
-          const one = bit(k + node + (same ? (1 + guess) << 8 : 0));
-          node = (node << 1) | one;
-          if (one !== guess) same = 0;
-        }
-      } else while (node < 256) node = (node << 1) | bit(k + node);
-      result[at++] = node;
+      // Behind a piece, the byte that would have gone on with it tells something.
+      result[at] = state < 7 ? tree(k, 256) : tree(k, 256, result[at - back[0]! - 1]!, 256);
+      ++at;
       state = state < 4 ? 0 : state < 10 ? state - 3 : state - 6;
       continue;
     }
