@@ -232,8 +232,8 @@ bool Search::cut(std::size_t row, std::size_t hint) {
   return (hint != Polytope::none && polytope_.cut(r.n, b, id, hint)) || polytope_.cut(r.n, b, id);
 }
 
-void Search::rebuild() {
-  t_ = target();
+void Search::rebuild(double t) {
+  t_ = t;
   polytope_ = box();
   for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
 }
@@ -248,7 +248,7 @@ double Search::visit(const Vector<3>& up, const Row* from, std::size_t hint, dou
     best_row_ = e.row;
   }
   if (better && limited_)
-    rebuild();
+    rebuild(target());
   else
     cut(rows_.size() - 1, hint);
   return e.V;
@@ -495,9 +495,7 @@ double Search::bound_by_cuts() {
   }
   if (proven()) return safe * t_;
   const auto proves = [&](double t) {
-    t_ = t;
-    polytope_ = box();
-    for (std::size_t i = 0; i < rows_.size(); ++i) cut(i, Polytope::none);
+    rebuild(t);
     return proven();
   };
   // Down from the target in longer and longer steps, then between the last two.

@@ -87,7 +87,7 @@ class Search {
   double stretch(const Row& row, double half) const;
   double right_hand_side(const Row& row) const;
   bool cut(std::size_t row, std::size_t hint);
-  void rebuild();
+  void rebuild(double t);
   /// By more than the wanted gap would notice.
   bool improves(double V) const { return V < (1 - 1e-3 * gap_) * best_V_; }
   /// Between the target and the best.

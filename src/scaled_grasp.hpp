@@ -131,6 +131,7 @@ struct ScaledGrasp : Cones<Dim> {
   Eigen::Matrix<double, wrench_size<Dim>, wrench_size<Dim>> inverse;
   InternalForce internal{};  ///< of two contacts in the plane
   /// Twists that no contact feels, an orthonormal basis: two hard fingers leave one in space.
+  /// There a frictionless contact feels what moves it along its normal alone.
   std::vector<Twist<Dim>> unfelt;
 };
 
