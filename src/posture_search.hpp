@@ -55,11 +55,11 @@ class Search {
   Search(const std::vector<Scenario>& scenarios, std::vector<Cone> cones, double gap, int max_holds,
          bool rough = false);
 
-  /// V at weight `x` (unit vector: a posture), from the y of a row.
+  /// V at the weight `given` (unit vector: a posture), from the y of a row.
   /// Where it is far from the best, V is only rough; the row is right in any case.
   /// `known`, if not 0: an effort that is proven for it already. Where V is no less than the best
   /// it may then be a lower bound.
-  Evaluation evaluate(const Vector<3>& x, const Row* from = nullptr, bool exact = false,
+  Evaluation evaluate(const Vector<3>& given, const Row* from = nullptr, bool exact = false,
                       double known = 0);
 
   void run();

@@ -19,13 +19,9 @@ const Vector<2> upright(0, 1);
 
 Contact<2> finger(const Vector<2>& position, const Vector<2>& normal, double friction,
                   double max_normal = infinity, double min_normal = 0) {
-  Contact<2> contact;
-  contact.position = position;
-  contact.normal = normal;
-  contact.friction = friction;
-  contact.max_normal = max_normal;
-  contact.min_normal = min_normal;
-  return contact;
+  Contact<2> result = contact(position, normal, friction, max_normal);
+  result.min_normal = min_normal;
+  return result;
 }
 
 /// A block between two fingers.

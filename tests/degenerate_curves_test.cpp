@@ -9,16 +9,6 @@ namespace {
 
 constexpr double degree = pi / 180;
 
-Contact<2> contact(const Vector<2>& position, const Vector<2>& normal, double friction,
-                   double max_normal = std::numeric_limits<double>::infinity()) {
-  Contact<2> result;
-  result.position = position;
-  result.normal = normal;
-  result.friction = friction;
-  result.max_normal = max_normal;
-  return result;
-}
-
 /// Fingers on a disk of radius 1 round the com, at angles in degrees from +x; weight 1.
 Grasp<2> ring(const std::vector<double>& angles, double friction,
               double max_normal = std::numeric_limits<double>::infinity()) {
@@ -285,7 +275,9 @@ void expect_nothing_claimed_too_much(const Grasp<2>& grasp, const CurveSettings&
       for (const double turn : {-2 * pi, 0.0, 2 * pi})
         EXPECT_FALSE(theta + turn > gap.from + 1e-7 && theta + turn < gap.to - 1e-7) << theta;
   }
-  if (best.holdable()) EXPECT_LE(best.lower_bound, best.best().hold.effort * (1 + 1e-9));
+  if (best.holdable()) {
+    EXPECT_LE(best.lower_bound, best.best().hold.effort * (1 + 1e-9));
+  }
 }
 
 TEST(UndecidedPostures, AreNamedWhereSizesDifferTooMuch) {

@@ -11,16 +11,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Contact<2> contact(const Vector<2>& position, const Vector<2>& normal, double friction,
-                   double max_normal = infinity) {
-  Contact<2> result;
-  result.position = position;
-  result.normal = normal;
-  result.friction = friction;
-  result.max_normal = max_normal;
-  return result;
-}
-
 /// Two fingers on the sides of a square of 2 m, at the height of its com.
 Held squeezed(double friction, double max_normal = infinity) {
   return {{10, {0, 0}},

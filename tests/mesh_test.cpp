@@ -96,7 +96,7 @@ TEST(MendedMesh, AClosedMeshStaysAsItIs) {
 TEST(MendedMesh, TurnsWhatIsInsideOut) {
   EXPECT_EQ(repairs_of(inside_out(box), 3, middle), Strings{"was inside out, and was turned"});
   Mesh mixed = box;
-  for (const std::size_t t : {2, 7, 11}) std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);
+  for (const std::size_t t : {2U, 7U, 11U}) std::swap(mixed.triangles[t][0], mixed.triangles[t][1]);
   EXPECT_EQ(repairs_of(mixed, 3, middle),
             Strings{"3 triangles of it did not agree with the neighbours and were turned"});
 }

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <ostream>
-#include <vector>
 
+#include "held.hpp"
 #include "poise/posture.hpp"
 
 namespace poise::test {
@@ -17,16 +17,6 @@ inline constexpr double pi = 3.14159265358979323846;
 
 /// The same grasps in every run, unless RC_PARAMS asks for others.
 inline const int fixed_seed = setenv("RC_PARAMS", "seed=20 max_success=2000", 0);
-
-/// An object and its contacts before they are checked: what laws can change.
-template <int Dim>
-struct Unchecked {
-  Object<Dim> object;
-  std::vector<Contact<Dim>> contacts;
-
-  Grasp<Dim> grasp() const { return Grasp<Dim>(object, contacts); }
-};
-using Held = Unchecked<2>;
 
 /// As C++, so that a failure can be pasted into a test.
 inline std::ostream& operator<<(std::ostream& out, const Held& held) {

@@ -29,8 +29,6 @@ inline std::ostream& operator<<(std::ostream& out, const Unchecked<3>& held) {
 
 namespace space {
 
-using Held = Unchecked<3>;
-
 /// A unit vector, often along the axes or in a plane of them.
 inline Vector<3> random_direction() {
   if (one_in(5)) return Vector<3>::Unit(pick(0, 2)) * (one_in(2) ? -1 : 1);

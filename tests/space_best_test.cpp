@@ -10,16 +10,6 @@
 namespace poise::test::space {
 namespace {
 
-Contact<3> contact(const Vector<3>& position, const Vector<3>& normal, double friction,
-                   double torsion = 0) {
-  Contact<3> result;
-  result.position = position;
-  result.normal = normal;
-  result.friction = friction;
-  result.torsion = torsion;
-  return result;
-}
-
 /// Fingers round a ball, tilted a little: holdable in most postures.
 Held random_hand(std::size_t contacts, bool soft) {
   Held held;
@@ -30,15 +20,6 @@ Held random_hand(std::size_t contacts, bool soft) {
                                     real(0.3, 1), soft ? real(0.05, 0.2) : 0));
   }
   return held;
-}
-
-std::vector<Vector<3>> sphere(int count) {
-  std::vector<Vector<3>> points;
-  for (int k = 0; k < count; ++k) {
-    const double z = 1 - (2 * k + 1.0) / count, r = std::sqrt(1 - z * z), turn = 2.399963 * k;
-    points.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
-  }
-  return points;
 }
 
 /// Worst effort over the scenarios; infinite where unholdable.
@@ -62,13 +43,13 @@ Planes planes_of(const std::vector<Grasp<3>>& scenarios, const std::vector<Cut>&
   auto& [n, b] = planes;
   for (const Cut& c : cuts) {
     if (c.n) {
-      n.push_back(c.n->cast<Real>());
+      n.emplace_back(c.n->cast<Real>());
       b.push_back(0);
     } else {
       const Grasp<3>& grasp = scenarios[c.scenario];
       const Real3 omega = c.y.tail<3>().cast<Real>();
       const Real3 v = c.y.head<3>().cast<Real>() + omega.cross(grasp.object().com.cast<Real>());
-      n.push_back(Real{grasp.object().weight} * v);
+      n.emplace_back(Real{grasp.object().weight} * v);
       b.push_back(t / 2 + support(grasp, c.y));
     }
     const Real norm = n.back().norm();
@@ -118,7 +99,7 @@ std::string fault(const std::vector<Grasp<3>>& scenarios, const BestSpatialPostu
         std::acos(std::min(1.0, b.up.dot(settings.tilt->from))) > settings.tilt->most + 1e-7)
       return "the best is tilted too much";
   }
-  for (const Vector<3>& up : sphere(samples)) {
+  for (const Vector<3>& up : directions(samples)) {
     if (settings.tilt && std::acos(up.dot(settings.tilt->from)) > settings.tilt->most) continue;
     const double V = effort_at(scenarios, up);
     if (best.status == Status::unholdable && V < std::numeric_limits<double>::infinity())
@@ -135,7 +116,7 @@ std::string fault(const std::vector<Grasp<3>>& scenarios, const BestSpatialPostu
   const Planes planes = planes_of(scenarios, best.cuts, bound);
   if (best.cuts.size() <= 45 && farthest_of_all_corners(planes) <= 1 + 1e-7L) return "";
   // What the cuts leave may also lie outside: heavier loads that need less.
-  for (const Vector<3>& up : sphere(4000)) {
+  for (const Vector<3>& up : directions(4000)) {
     bool left = true;
     for (std::size_t i = 0; i < planes.n.size() && left; ++i)
       left = planes.n[i].dot(up.cast<Real>()) <= planes.b[i] - 1e-7L;
@@ -360,7 +341,7 @@ TEST(SpaceBest, IsFoundWhereFewPosturesHold) {
   held.contacts[3].min_normal = 0.43;
   held.contacts[3].max_normal = 0.69;
   int held_in = 0;
-  for (const Vector<3>& up : sphere(20000))
+  for (const Vector<3>& up : directions(20000))
     held_in += effort_at({held.grasp()}, up) < std::numeric_limits<double>::infinity() ? 1 : 0;
   ASSERT_GT(held_in, 0);
   ASSERT_LT(held_in, 200);
@@ -470,8 +451,8 @@ TEST(SpaceBest, WithLimitsIsHonest) {
 }
 
 TEST(SpaceBest, SmallestTurnTakesUpToTheTop) {
-  for (const Vector<3>& up : sphere(50))
-    for (const Vector<3>& axis : sphere(7)) {
+  for (const Vector<3>& up : directions(50))
+    for (const Vector<3>& axis : directions(7)) {
       const Eigen::Quaterniond orientation(Eigen::AngleAxisd(1.3, axis));
       const Eigen::Quaterniond turn = smallest_turn(orientation, up);
       EXPECT_GE(turn.w(), 0);

@@ -136,6 +136,8 @@ TEST(SpatialFile, TiltMayBeAnythingFromNoneToHorizontal) {
 
 TEST(SpatialFile, WarnsOfWhatLooksLikeAMistake) {
   using Lines = std::vector<std::string>;
+  const std::string unit = "is the unit right (weight in N, mass in kg)?",
+                    length = "it is a length, about the size of the touching area";
   EXPECT_EQ(read(top + "normals: outward\n" + object + contacts).warnings.size(), 2U);
   EXPECT_EQ(
       read(top + "object:\n  shape: {box: {size: [2, 2, 2]}}\n  scenarios:\n    - {weight: 1}\n" +
@@ -143,13 +145,11 @@ TEST(SpatialFile, WarnsOfWhatLooksLikeAMistake) {
            "  - {position: [1, 0, 0], normal: [-1, 0, 0.2], friction: 0.5, torsion: 5}\n" +
            "  - {position: [1, 0, 0], friction: 30}\n")
           .warnings,
-      (Lines{"f.yaml:7:14: object.scenarios[1].mass: makes a weight of 1.96e+05 N: is the unit "
-             "right (weight in N, mass in kg)?",
+      (Lines{"f.yaml:7:14: object.scenarios[1].mass: makes a weight of 1.96e+05 N: " + unit,
              "f.yaml:7:26: object.scenarios[1].com: lies outside the shape",
              "f.yaml:9:35: contacts[0].normal: is 11.3 degrees away from the inward normal of the "
              "shape",
-             "f.yaml:9:73: contacts[0].torsion: is 5 m, more than the size of the grasp: it is a "
-             "length, about the size of the touching area",
+             "f.yaml:9:73: contacts[0].torsion: is 5 m, more than the size of the grasp: " + length,
              "f.yaml:10:37: contacts[1].friction: is 30, uncommonly high: is it an angle?",
              "f.yaml:10:16: contacts[1].position: is the same as that of contacts[0]"}));
 }

@@ -53,7 +53,7 @@ void expect_confirmed(const PlanarFile& file, const std::string& text) {
   RC_ASSERT(words(checked(file, text)) == "");
 }
 
-const CurveSettings any_domain() { return {*rc::gen::element(Domain::all, Domain::pinched)}; }
+CurveSettings any_domain() { return {*rc::gen::element(Domain::all, Domain::pinched)}; }
 
 RC_GTEST_PROP(Verify, ConfirmsHolds, ()) {
   const Held held = *test::grasps();
@@ -104,7 +104,7 @@ bool claims_nothing(const std::string& key) {
 void for_each_claim(Json& value, const std::string& path, double scale,
                     const std::function<void(double&, const std::string&, double)>& f) {
   if (value.is_object()) {
-    for (auto& [key, part] : value.items())
+    for (const auto& [key, part] : value.items())
       if (!claims_nothing(key)) for_each_claim(part, path + "." + key, 0, f);
   } else if (value.is_array()) {
     double largest = 0;
@@ -122,8 +122,9 @@ void for_each_claim(Json& value, const std::string& path, double scale,
 /// Numbers that are zero but for rounding: compared with the others of their vector, or with
 /// `zero`. Angles end where rounding puts them, within 2e-8 rad.
 bool is_rounding(double number, const std::string& path, double scale, double weight) {
-  if (path.ends_with("_deg") || path.find("_arcs_deg") != path.npos) return std::abs(number) < 0.2;
-  if (path.find(".V.") != path.npos) return std::abs(number) < 1e-4 * weight * weight;
+  if (path.ends_with("_deg") || path.find("_arcs_deg") != std::string::npos)
+    return std::abs(number) < 0.2;
+  if (path.find(".V.") != std::string::npos) return std::abs(number) < 1e-4 * weight * weight;
   if (path.ends_with("relative_gap")) return std::abs(number) < 1e-8;
   return std::abs(number) <= std::max(1e-3 * scale, 1e-6);
 }

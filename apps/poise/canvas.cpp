@@ -18,7 +18,7 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
 
 }  // namespace
 
-Colour::Colour(const char* hex, double opacity) : opacity(opacity) {
+Colour::Colour(const char* hex, double alpha) : opacity(alpha) {
   const long value = std::strtol(hex + 1, nullptr, 16);
   red = static_cast<double>(value >> 16 & 255) / 255;
   green = static_cast<double>(value >> 8 & 255) / 255;

@@ -12,7 +12,7 @@
 namespace poise {
 
 struct Colour {
-  Colour(const char* hex, double opacity = 1);  ///< "#rrggbb"
+  Colour(const char* hex, double alpha = 1);  ///< "#rrggbb"
   double red, green, blue, opacity;
 };
 

@@ -18,10 +18,10 @@ struct Tilt {
 
 /// What to search, and how far.
 struct SpatialSettings {
-  double gap{1e-6};          ///< wanted: (effort - lower_bound) / effort of the best, > 0
-  int max_holds{2000};       ///< holds to spend on the certificate
-  double force_cap{1e6};     ///< in weights of the heaviest scenario
-  std::optional<Tilt> tilt;  ///< none: all postures
+  double gap{1e-6};            ///< wanted: (effort - lower_bound) / effort of the best, > 0
+  int max_holds{2000};         ///< holds to spend on the certificate
+  double force_cap{1e6};       ///< in weights of the heaviest scenario
+  std::optional<Tilt> tilt{};  ///< none: all postures
   /// Postures, spread over the domain, from which local minima are sought. 0: none are sought, and
   /// `minima` holds only the best.
   int starts{64};

@@ -419,11 +419,11 @@ Json friction(const Grasp<Dim>& grasp, const Vector<Dim>& up, const LeastFrictio
 template <int Dim>
 std::string capacity_document(const std::vector<Grasp<Dim>>& grasps,
                               const std::vector<CapacityAt<Dim>>& answers,
-                              const CapacityOptions& given) {
-  Json options = {{"force_cap", given.force_cap}, {"safety", given.safety}};
-  if (given.angle_deg) options["angle_deg"] = number(*given.angle_deg);
-  if (!given.up.empty()) options["up"] = list(given.up);
-  Json result = document("capacity", std::move(options));
+                              const CapacityOptions& options) {
+  Json asked = {{"force_cap", options.force_cap}, {"safety", options.safety}};
+  if (options.angle_deg) asked["angle_deg"] = number(*options.angle_deg);
+  if (!options.up.empty()) asked["up"] = list(options.up);
+  Json result = document("capacity", std::move(asked));
   result["capacities"] = Json::array();
   for (const CapacityAt<Dim>& answer : answers) {
     const Grasp<Dim>& grasp = grasps[answer.scenario];
@@ -431,10 +431,10 @@ std::string capacity_document(const std::vector<Grasp<Dim>>& grasps,
     if constexpr (Dim == 2) entry["angle_deg"] = degrees(angle_of(answer.up));
     if (grasps.size() > 1) entry["scenario"] = answer.scenario;
     entry["weight"] =
-        weights(grasp, answer.up, answer.capacity.weights, {.force_cap = given.force_cap});
+        weights(grasp, answer.up, answer.capacity.weights, {.force_cap = options.force_cap});
     entry["friction"] = friction(grasp, answer.up, answer.capacity.friction);
     entry["command"] =
-        hold_at(with_friction(grasp, 1 / given.safety), answer.up, answer.capacity.safe);
+        hold_at(with_friction(grasp, 1 / options.safety), answer.up, answer.capacity.safe);
     result["capacities"].push_back(std::move(entry));
   }
   return json_text(result);

@@ -20,9 +20,9 @@ using Vec3 = Eigen::Matrix<Real, 3, 1>;
 /// What everything on an arc is linear in.
 Vec3 harmonics(Real theta) { return {1, std::cos(theta), std::sin(theta)}; }
 
-/// `angle` moved by whole turns into [from, from + 2 pi), or just below `from`.
-Real unwound(Real angle, Real from) {
-  return angle - 2 * pi * std::floor((angle - from + ends) / (2 * pi));
+/// `angle` moved by whole turns into [start, start + 2 pi), or just below `start`.
+Real unwound(Real angle, Real start) {
+  return angle - 2 * pi * std::floor((angle - start + ends) / (2 * pi));
 }
 
 /// a + b cos(theta) + c sin(theta) is least in an interval at its ends or at its trough.
@@ -301,7 +301,7 @@ Real distance_to_segment(const Vec& a, const Vec& b) {
 // the rest of the widest angle between neighbouring directions.
 Wedge wedge_of(const Held& held, const Load& load) {
   std::vector<Vec> arms;
-  for (const Touch& contact : held.contacts) arms.push_back(contact.position - load.com);
+  for (const Touch& contact : held.contacts) arms.emplace_back(contact.position - load.com);
   const auto direction = [](const Vec& arm) { return std::atan2(arm[1], arm[0]); };
   std::sort(arms.begin(), arms.end(),
             [&](const Vec& a, const Vec& b) { return direction(a) < direction(b); });

@@ -63,7 +63,7 @@ Left left_by(std::vector<Cut> cuts) {
     const Vec3 e = n.unitOrthogonal(), f = n.cross(e);
     std::vector<Vec3> polygon;
     for (const auto& [x, y] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}})
-      polygon.push_back(middle + 4 * outside * (x * e + y * f));
+      polygon.emplace_back(middle + 4 * outside * (x * e + y * f));
     for (std::size_t j = 0; j < cuts.size() && !polygon.empty(); ++j) {
       if (j == i) continue;
       const auto beyond = [&](const Vec3& x) { return cuts[j].a.dot(x) - cuts[j].b; };
@@ -74,7 +74,7 @@ Left left_by(std::vector<Cut> cuts) {
         const Real here = beyond(from), there = beyond(to);
         if (here <= 0) rest.push_back(from);
         if ((here < 0 && there > 0) || (here > 0 && there < 0))
-          rest.push_back(from + here / (here - there) * (to - from));
+          rest.emplace_back(from + here / (here - there) * (to - from));
       }
       polygon = rest;
     }

@@ -6,8 +6,8 @@
 
 namespace poise::verify {
 
-/// Checks all that a result document claims of a grasp.
+/// Checks all that a result document claims of the grasp of a file.
 /// @throws FileError where the document is not a result, lacks something or has it of a wrong type
-Claims verify(const GraspFile& grasp, const Document& result);
+Claims verify(const GraspFile& file, const Document& result);
 
 }  // namespace poise::verify

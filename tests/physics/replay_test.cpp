@@ -9,20 +9,11 @@
 namespace poise::test::physics {
 namespace {
 
+using space::contact;
 using space::Held;
 
 /// What falls freely for so long moves by 0.2 m; with friction 1 in 1000 too weak by about 0.2 mm.
 constexpr double seconds = 0.2, slipped = 1e-4;
-
-Contact<3> contact(const Vector<3>& position, const Vector<3>& normal, double friction,
-                   double torsion = 0) {
-  Contact<3> result;
-  result.position = position;
-  result.normal = normal;
-  result.friction = friction;
-  result.torsion = torsion;
-  return result;
-}
 
 std::vector<double> normal_forces(const Hold<3>& hold) {
   std::vector<double> normal;
