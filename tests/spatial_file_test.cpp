@@ -137,6 +137,7 @@ TEST(SpatialFile, TiltMayBeAnythingFromNoneToHorizontal) {
 TEST(SpatialFile, WarnsOfWhatLooksLikeAMistake) {
   using Lines = std::vector<std::string>;
   const std::string unit = "is the unit right (weight in N, mass in kg)?",
+                    inward = "the inward normal of the shape",
                     length = "it is a length, about the size of the touching area";
   EXPECT_EQ(read(top + "normals: outward\n" + object + contacts).warnings.size(), 2U);
   EXPECT_EQ(
@@ -147,8 +148,7 @@ TEST(SpatialFile, WarnsOfWhatLooksLikeAMistake) {
           .warnings,
       (Lines{"f.yaml:7:14: object.scenarios[1].mass: makes a weight of 1.96e+05 N: " + unit,
              "f.yaml:7:26: object.scenarios[1].com: lies outside the shape",
-             "f.yaml:9:35: contacts[0].normal: is 11.3 degrees away from the inward normal of the "
-             "shape",
+             "f.yaml:9:35: contacts[0].normal: is 11.3 degrees away from " + inward,
              "f.yaml:9:73: contacts[0].torsion: is 5 m, more than the size of the grasp: " + length,
              "f.yaml:10:37: contacts[1].friction: is 30, uncommonly high: is it an angle?",
              "f.yaml:10:16: contacts[1].position: is the same as that of contacts[0]"}));

@@ -4,7 +4,6 @@
 set -euo pipefail
 python=$1 source=$2 dir=$3
 export CXX=$4 CMAKE_CXX_COMPILER_LAUNCHER=$5 PIP_ROOT_USER_ACTION=ignore
-export CMAKE_ARGS=-DCMAKE_CXX_FLAGS_RELEASE=-O0  # what is tested is the installation
 rm -rf "$dir"
 mkdir -p "$dir"
 "$python" -m pip install --quiet --no-build-isolation --no-index --no-deps --target "$dir/installed" \
