@@ -191,7 +191,7 @@ TEST_F(Batch, StrangeLines) {
   const Outcome run = poise("batch - < in.jsonl");
   const auto out = lines(run.out);
   ASSERT_EQ(out.size(), 7U) << run.err;
-  for (const std::size_t k : {0, 1, 2, 4, 5})
+  for (const std::size_t k : {0U, 1U, 2U, 4U, 5U})
     EXPECT_TRUE(Json::parse(out[k])["error"].contains("problem")) << out[k];
   EXPECT_EQ(Json::parse(out[2])["error"]["problem"], "is longer than 1 MiB");
   EXPECT_EQ(Json::parse(out[3])["best"], Json::parse(out[6])["best"]);

@@ -304,7 +304,7 @@ TEST_F(Plot, DrawsWhatCannotBeHeldToo) {
 }
 
 bool is_picture(const std::string& file) {
-  return file.starts_with("\x89PNG") || file.find("</svg>") != file.npos;
+  return file.starts_with("\x89PNG") || file.find("</svg>") != std::string::npos;
 }
 
 TEST_F(Plot, DrawsEveryExampleAsItHangs) {

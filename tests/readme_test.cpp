@@ -173,7 +173,7 @@ TEST(Documentation, CertificateListingVerifies) {
       std::string spoilt = replaced(replaced(text, "\"y\": [", "\"y\": [-1e3"), "[-1e3-", "[1e3");
       if (command == "hold")
         spoilt = replaced(replaced(text, "dual\": [", "dual\": [-1e3"), "[-1e3-", "[1e3");
-      if (spoilt == text || grasp.find("ito") != grasp.npos) continue;
+      if (spoilt == text || grasp.find("ito") != std::string::npos) continue;
       std::ofstream(folder / "spoilt.json") << spoilt;
       EXPECT_NE(output(python + " " + path("spoilt.json")), "confirmed\n") << grasp << command;
       EXPECT_EQ(output("build/poise verify " + grasp + " " + path("spoilt.json")).find("Confirmed"),

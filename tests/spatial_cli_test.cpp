@@ -87,7 +87,7 @@ std::vector<Held> contacts_of(const Json& check) {
 class Space : public CommandLine {
  protected:
   /// Judges a hold of a file by its statics, with what `check` says of the file.
-  void judge(const Json& hold, const Json& check) const {
+  static void judge(const Json& hold, const Json& check) {
     const bool many = check["scenarios"].size() > 1;
     std::set<std::string> expected{"holdable",   "up",         "dual",     "lower_bound",
                                    "effort",     "force_norm", "residual", "manner",
@@ -287,7 +287,7 @@ class SpaceBest : public Space {
       Vector<3> v, omega;
       for (int k = 0; k < 3; ++k) {
         v[k] = cut["y"][static_cast<std::size_t>(k)];
-        omega[k] = cut["y"][static_cast<std::size_t>(k + 3)];
+        omega[k] = cut["y"][static_cast<std::size_t>(k) + 3];
       }
       double square = 0;  // of the projection of G^T y on the cones
       for (const Held& c : contacts) {
