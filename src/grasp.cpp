@@ -116,6 +116,11 @@ Grasp<Dim>::Grasp(const Object<Dim>& object, std::vector<Contact<Dim>> contacts,
       labels.emplace(contact.finger, fingers_.size());
     fingers_.push_back(contact.finger);
   }
+  // The solver squares the moment of a soft finger beside the force at the radius.
+  for (std::size_t i = 0; i < contacts_.size(); ++i)
+    check(contacts_[i].torsion,
+          contacts_[i].torsion <= 1e100 * contacts_[i].friction * (radius_ > 0 ? radius_ : 1),
+          "contacts[" + std::to_string(i) + "].torsion", "less large against the grasp");
   scaled_ = std::make_shared<const ScaledGrasp<Dim>>(*this);
 }
 

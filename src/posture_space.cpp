@@ -17,17 +17,18 @@ Vector<3> nearest_of(std::vector<Vector<3>>& points) {
     std::vector<Vector<3>> chosen;
     for (std::size_t i = 0; i < points.size(); ++i)
       if ((subset >> i & 1) != 0) chosen.push_back(points[i]);
-    const auto edges = static_cast<Eigen::Index>(chosen.size()) - 1;
-    Eigen::Matrix<double, 3, Eigen::Dynamic> span(3, edges);
-    for (Eigen::Index k = 0; k < edges; ++k)
-      span.col(k) = chosen[static_cast<std::size_t>(k) + 1] - chosen[0];
-    const Eigen::MatrixXd square = span.transpose() * span;
-    const Eigen::FullPivLU<Eigen::MatrixXd> lu(square);
-    if (edges > 0 && !lu.isInvertible()) continue;
-    const Eigen::VectorXd part =
-        edges > 0 ? Eigen::VectorXd(lu.solve(-span.transpose() * chosen[0])) : Eigen::VectorXd(0);
-    if (edges > 0 && (part.minCoeff() < 0 || part.sum() > 1)) continue;
-    const Vector<3> point = chosen[0] + span * part;
+    Vector<3> point = chosen[0];
+    if (const auto edges = static_cast<Eigen::Index>(chosen.size()) - 1; edges > 0) {
+      Eigen::Matrix<double, 3, Eigen::Dynamic> span(3, edges);
+      for (Eigen::Index k = 0; k < edges; ++k)
+        span.col(k) = chosen[static_cast<std::size_t>(k) + 1] - chosen[0];
+      const Eigen::MatrixXd square = span.transpose() * span;
+      const Eigen::FullPivLU<Eigen::MatrixXd> lu(square);
+      if (!lu.isInvertible()) continue;
+      const Eigen::VectorXd part = lu.solve(-span.transpose() * chosen[0]);
+      if (part.minCoeff() < 0 || part.sum() > 1) continue;
+      point += span * part;
+    }
     if (!(point.norm() < nearest.norm())) continue;
     nearest = point;
     kept = std::move(chosen);

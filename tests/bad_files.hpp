@@ -1246,6 +1246,14 @@ inline const std::vector<BadFile> bad_files{
      "  - {position: [1, 0, 0], normal: [1, 0, 0], friction: 0, torsion: 0.01}\n",
      "6:68: contacts[1].torsion: is given for a frictionless contact, must be left out, or give "
      "friction above 0"},
+    {"a contact too soft to reckon with",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n"
+     "  - {position: [1, 0, 0], normal: [1, 0, 0], friction: 1, torsion: 1e153}\n",
+     "6:68: contacts[1].torsion: is 1e+153, must be less large against the grasp"},
     {"torsion is text",
      "poise: 1\n"
      "dimension: 3\n"

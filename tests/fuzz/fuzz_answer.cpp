@@ -1,26 +1,20 @@
 // Whole answers for grasps decoded from bytes, extreme and degenerate ones on purpose: what is
 // asserted here holds always.
-#include <fuzzer/FuzzedDataProvider.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "decoder.hpp"
 #include "files/result.hpp"
 #include "poise/best_posture.hpp"
 
 namespace poise {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What a posture is asked for; printed where an answer is wrong.
 struct Question {
@@ -30,95 +24,15 @@ struct Question {
   CurveSettings settings{};
 };
 
-class Decoder {
- public:
-  Decoder(const std::uint8_t* bytes, std::size_t size)
-      : data_(bytes, size), extreme_(data_.ConsumeIntegralInRange(0, 3) == 0) {}
-
-  Question question() {
-    Question q;
-    q.object.weight = positive();
-    if (data_.ConsumeBool()) q.object.com = point();
-    if (data_.ConsumeBool()) q.safety = 1 + positive();
-    q.settings.domain = data_.ConsumeBool() ? Domain::all : Domain::pinched;
-    if (data_.ConsumeBool()) q.settings.force_cap = std::min(1e9, 10 * positive());
-    const int count = data_.ConsumeIntegralInRange(1, 12);
-    while (static_cast<int>(q.contacts.size()) < count) q.contacts.push_back(contact(q));
-    return q;
-  }
-
-  double angle() {
-    return data_.ConsumeBool() ? pi / 12 * data_.ConsumeIntegralInRange(-12, 12)
-                               : data_.ConsumeFloatingPointInRange(-pi, pi);
-  }
-
- private:
-  Contact<2> contact(const Question& q) {
-    Contact<2> c;
-    if (!q.contacts.empty() && one_in(8)) c = q.contacts.back();  // the same again
-    switch (data_.ConsumeIntegralInRange(0, 5)) {
-      case 0:
-        c.position = q.object.com;
-        c.normal = point();
-        break;
-      case 1:  // mirrored
-        if (!q.contacts.empty()) c = q.contacts.back();
-        c.position.x() *= -1;
-        c.normal.x() *= -1;
-        break;
-      case 2:
-        c.position = point();
-        c.normal = point();
-        break;
-      default:  // round a disk
-        c.position = up_at(angle());
-        c.normal = -c.position;
-    }
-    if (one_in(8)) c.normal = -c.normal;
-    if (!one_in(4)) c.friction = positive();
-    if (one_in(4)) c.min_normal = q.object.weight * positive();
-    if (one_in(4)) c.max_normal = c.min_normal + q.object.weight * (one_in(4) ? 0 : positive());
-    if (one_in(4)) c.share = std::min(1.0, positive());
-    if (one_in(4)) c.finger = one_in(2) ? "a" : "b";
-    return c;
-  }
-
-  bool one_in(int n) { return data_.ConsumeIntegralInRange(1, n) == n; }
-
-  Vector<2> point() {
-    const double x = coordinate();
-    return {x, coordinate()};
-  }
-
-  double coordinate() {
-    if (one_in(8)) return 0;
-    return data_.ConsumeBool() ? positive() : -positive();
-  }
-
-  double positive() {
-    constexpr double sizes[] = {1e-300, 1e-150, 1e-100, 1e-50, 1e-20, 1e-14,   1e-13, 1e-12,
-                                1e-9,   1e-6,   1e6,    1e9,   1e12,  1e13,    1e14,  1e20,
-                                1e50,   1e100,  1e150,  1e153, 1e300, infinity};
-    constexpr double plain[] = {1, 2, 3, 0.5, 0.25, 0.75, 10, 0.1};
-    const auto pick = [&](const auto& list) {
-      return list[data_.ConsumeIntegralInRange<std::size_t>(0, std::size(list) - 1)];
-    };
-    switch (data_.ConsumeIntegralInRange(0, extreme_ ? 5 : 3)) {
-      case 0:
-      case 1:
-        return pick(plain);
-      case 2:
-        return data_.ConsumeFloatingPointInRange(1e-3, 10.0);
-      case 3:  // nearly a plain one
-        return pick(plain) * (1 + data_.ConsumeFloatingPointInRange(-1e-9, 1e-9));
-      default:
-        return pick(sizes);
-    }
-  }
-
-  FuzzedDataProvider data_;
-  bool extreme_;
-};
+Question question(Decoder& decoder) {
+  Question q;
+  q.object = decoder.object<2>();
+  if (decoder.coin()) q.safety = 1 + decoder.positive();
+  q.settings.domain = decoder.coin() ? Domain::all : Domain::pinched;
+  if (decoder.coin()) q.settings.force_cap = std::min(1e9, 10 * decoder.positive());
+  q.contacts = decoder.contacts(q.object, 12, [&] { return up_at(decoder.angle()); });
+  return q;
+}
 
 /// The question as C++, to be pasted into a test.
 void print(const Question& q) {
@@ -259,7 +173,7 @@ void ask(const Question& q, const Grasp<2>& grasp, Decoder& decoder) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   poise::Decoder decoder(data, size);
-  const poise::Question question = decoder.question();
+  const poise::Question question = poise::question(decoder);
   std::optional<poise::Grasp<2>> grasp;
   try {
     grasp.emplace(question.object, question.contacts, question.safety);

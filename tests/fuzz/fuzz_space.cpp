@@ -1,0 +1,113 @@
+// Whole answers in space for grasps decoded from bytes, extreme and degenerate ones on purpose:
+// what is asserted of numbers here holds always; where sizes are moderate, verify confirms all.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "decoder.hpp"
+#include "files/grasp_writer.hpp"
+#include "files/result.hpp"
+#include "files/spatial.hpp"
+#include "verify/verify.hpp"
+
+namespace poise {
+namespace {
+
+Vector<3> direction(Decoder& decoder) {
+  const double turn = decoder.angle(), height = std::sin(decoder.angle());
+  const double r = std::sqrt(1 - height * height);
+  return {r * std::cos(turn), r * std::sin(turn), height};
+}
+
+SpatialFile question(Decoder& decoder) {
+  SpatialFile file;
+  file.scenarios = {decoder.object<3>()};
+  if (decoder.one_in(4)) file.scenarios.push_back(decoder.object<3>());
+  file.contacts = decoder.contacts(file.scenarios[0], 12, [&] { return direction(decoder); });
+  for (Contact<3>& c : file.contacts)
+    if (c.friction > 0 && decoder.one_in(3)) c.torsion = decoder.positive();
+  if (decoder.one_in(4)) file.safety = 1 + decoder.positive();
+  if (decoder.one_in(4)) file.tilt = Tilt{direction(decoder), std::abs(decoder.angle()) / 2};
+  return file;
+}
+
+class Judge {
+ public:
+  Judge(const SpatialFile& file, bool moderate) : file_(file), moderate_(moderate) {}
+
+  void demand(bool right, const std::string& what) const {
+    if (right) return;
+    std::fprintf(stderr, "WRONG: %s\n%s\n", what.c_str(), grasp_document(file_).c_str());
+    std::abort();
+  }
+
+  void judge(const SpatialPosture& posture, double force_cap) const {
+    const Hold<3>& hold = posture.hold;
+    demand(std::abs(posture.up.norm() - 1) <= 1e-9, "up is a unit vector");
+    demand(hold.dual.allFinite(), "hold: dual is finite");
+    demand(std::isfinite(hold.lower_bound), "hold: lower_bound is finite");
+    if (!hold.holdable) {
+      demand(hold.forces.empty() && hold.effort == 0, "hold: the unholdable has no forces");
+      return;
+    }
+    double heaviest = 0;
+    for (const Object<3>& object : file_.scenarios) heaviest = std::max(heaviest, object.weight);
+    const double cap = force_cap * heaviest;
+    demand(hold.effort >= 0 && hold.effort <= cap * cap * (1 + 1e-6), "hold: effort below the cap");
+    demand(hold.forces.size() == file_.contacts.size(), "hold: every contact has a force");
+    demand(hold.residual <= 1e-6, "hold: the forces balance");
+    for (const ContactForce<3>& force : hold.forces) {
+      demand(force.normal >= 0 && std::isfinite(force.normal), "hold: normal force is finite");
+      demand(force.friction_used >= 0 && force.friction_used <= 1, "hold: friction_used");
+    }
+  }
+
+  void judge(const std::string& document) const {
+    demand(nlohmann::json::accept(document), "the document is JSON");
+    if (!moderate_) return;
+    const verify::Claims claims =
+        verify::verify(file_, parse_json(document, "result.json", max_result));
+    for (const verify::Refutation& each : claims.refutations())
+      demand(false, each.path + ": " + each.words + ": " + std::to_string(double(each.off)) +
+                        " of " + std::to_string(double(each.allowed)));
+  }
+
+ private:
+  const SpatialFile& file_;
+  bool moderate_;
+};
+
+}  // namespace
+}  // namespace poise
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace poise;
+  Decoder decoder(data, size);
+  const SpatialFile file = question(decoder);
+  std::vector<Grasp<3>> grasps;
+  try {
+    grasps = file.grasps();
+  } catch (const InvalidGrasp&) {
+    return 0;
+  }
+  const Judge judge(file, !decoder.extreme());
+  for (int k = 0; k < 2; ++k) {
+    const SpatialPosture held = hold_all(grasps, direction(decoder));
+    judge.judge(held, HoldSettings{}.force_cap);
+    judge.judge(hold_document(grasps, held, {}));
+  }
+  SpatialSettings settings;
+  settings.max_holds = 100;
+  settings.starts = decoder.one_in(4) ? 8 : 0;
+  settings.tilt = file.tilt;
+  const BestSpatialPosture best = best_posture(grasps, settings);
+  judge.demand(std::isfinite(best.lower_bound), "best: lower_bound is finite");
+  if (best.best) judge.judge(*best.best, settings.force_cap);
+  for (const SpatialPosture& minimum : best.minima) judge.judge(minimum, settings.force_cap);
+  judge.judge(best_document(grasps, best, settings, orientation_of(direction(decoder))));
+  return 0;
+}
