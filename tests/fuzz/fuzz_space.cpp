@@ -45,6 +45,13 @@ class Judge {
     std::abort();
   }
 
+  /// The greatest effort [N^2]; infinite where weights are too large for squares.
+  double squared(double force_cap) const {
+    double heaviest = 0;
+    for (const Object<3>& object : file_.scenarios) heaviest = std::max(heaviest, object.weight);
+    return force_cap * heaviest * (force_cap * heaviest);
+  }
+
   void judge(const SpatialPosture& posture, double force_cap) const {
     const Hold<3>& hold = posture.hold;
     demand(std::abs(posture.up.norm() - 1) <= 1e-9, "up is a unit vector");
@@ -54,10 +61,8 @@ class Judge {
       demand(hold.forces.empty() && hold.effort == 0, "hold: the unholdable has no forces");
       return;
     }
-    double heaviest = 0;
-    for (const Object<3>& object : file_.scenarios) heaviest = std::max(heaviest, object.weight);
-    const double cap = force_cap * heaviest;
-    demand(hold.effort >= 0 && hold.effort <= cap * cap * (1 + 1e-6), "hold: effort below the cap");
+    demand(hold.effort >= 0 && hold.effort <= squared(force_cap) * (1 + 1e-6),
+           "hold: effort below the cap");
     demand(hold.forces.size() == file_.contacts.size(), "hold: every contact has a force");
     demand(hold.residual <= 1e-6, "hold: the forces balance");
     for (const ContactForce<3>& force : hold.forces) {
@@ -105,7 +110,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   settings.starts = decoder.one_in(4) ? 8 : 0;
   settings.tilt = file.tilt;
   const BestSpatialPosture best = best_posture(grasps, settings);
-  judge.demand(std::isfinite(best.lower_bound), "best: lower_bound is finite");
+  judge.demand(std::isfinite(best.lower_bound) || !std::isfinite(judge.squared(settings.force_cap)),
+               "best: lower_bound is finite");
   if (best.best) judge.judge(*best.best, settings.force_cap);
   for (const SpatialPosture& minimum : best.minima) judge.judge(minimum, settings.force_cap);
   judge.judge(best_document(grasps, best, settings, orientation_of(direction(decoder))));
