@@ -119,8 +119,9 @@ Grasp<Dim>::Grasp(const Object<Dim>& object, std::vector<Contact<Dim>> contacts,
   // The solver squares the moment of a soft finger beside the force at the radius.
   for (std::size_t i = 0; i < contacts_.size(); ++i)
     check(contacts_[i].torsion,
-          contacts_[i].torsion <= 1e100 * contacts_[i].friction * (radius_ > 0 ? radius_ : 1),
-          "contacts[" + std::to_string(i) + "].torsion", "less large against the grasp");
+          contacts_[i].torsion <= 1e12 * contacts_[i].friction * (radius_ > 0 ? radius_ : 1),
+          "contacts[" + std::to_string(i) + "].torsion",
+          "less large against friction and the size of the grasp");
   scaled_ = std::make_shared<const ScaledGrasp<Dim>>(*this);
 }
 
