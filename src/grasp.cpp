@@ -121,7 +121,7 @@ Grasp<Dim>::Grasp(const Object<Dim>& object, std::vector<Contact<Dim>> contacts,
     check(contacts_[i].torsion,
           contacts_[i].torsion <= 1e12 * contacts_[i].friction * (radius_ > 0 ? radius_ : 1),
           "contacts[" + std::to_string(i) + "].torsion",
-          "less large against friction and the size of the grasp");
+          "at most 1e12 times friction times the size of the grasp");
   scaled_ = std::make_shared<const ScaledGrasp<Dim>>(*this);
 }
 

@@ -1253,8 +1253,8 @@ inline const std::vector<BadFile> bad_files{
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n"
      "  - {position: [1, 0, 0], normal: [1, 0, 0], friction: 1, torsion: 1e153}\n",
-     "6:68: contacts[1].torsion: is 1e+153, must be less large against friction and the size of "
-     "the grasp"},
+     "6:68: contacts[1].torsion: is 1e+153, must be at most 1e12 times friction times the size "
+     "of the grasp"},
     {"torsion is text",
      "poise: 1\n"
      "dimension: 3\n"

@@ -25,7 +25,8 @@ struct Contact {
   double share{1};
   // "", since {} makes g++ 12 crash on grasps written as nested braces.
   std::string finger = "";  ///< label; left empty, the contact is a finger of its own
-  /// gamma [m], >= 0, in space only: above 0 the finger is soft. Needs friction.
+  /// gamma [m], >= 0, in space only: above 0 the finger is soft. Needs friction, and is at most
+  /// 1e12 times friction times the radius of the grasp.
   double torsion{0};
 };
 
