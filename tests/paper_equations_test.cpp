@@ -6,9 +6,9 @@
 
 #include "paper_disks.hpp"
 #include "poise/hold.hpp"
-#include "study/disk.hpp"
-#include "study/sampling.hpp"
-#include "study/two_contacts.hpp"
+#include "apps/paper/disk.hpp"
+#include "apps/paper/sampling.hpp"
+#include "apps/paper/two_contacts.hpp"
 
 namespace poise::study {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "paper_disks.hpp"
 #include "poise/best_posture.hpp"
-#include "study/counts.hpp"
-#include "study/exact.hpp"
-#include "study/two_contacts.hpp"
+#include "apps/paper/counts.hpp"
+#include "apps/paper/exact.hpp"
+#include "apps/paper/two_contacts.hpp"
 
 namespace poise::study {
 namespace {

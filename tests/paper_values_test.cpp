@@ -5,7 +5,7 @@
 #include "paper_disks.hpp"
 #include "poise/best_posture.hpp"
 #include "random_grasps.hpp"
-#include "study/exact.hpp"
+#include "apps/paper/exact.hpp"
 
 namespace poise::test {
 namespace {

@@ -14,9 +14,9 @@
 #include "paper_figures.hpp"
 #include "plot.hpp"
 #include "poise/best_posture.hpp"
-#include "study/counts.hpp"
-#include "study/exact.hpp"
-#include "study/sampling.hpp"
+#include "apps/paper/counts.hpp"
+#include "apps/paper/exact.hpp"
+#include "apps/paper/sampling.hpp"
 
 namespace poise {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "files/result.hpp"
 #include "scene.hpp"
-#include "study/exact.hpp"
-#include "study/sampling.hpp"
+#include "apps/paper/exact.hpp"
+#include "apps/paper/sampling.hpp"
 #include "table.hpp"
 
 namespace poise {

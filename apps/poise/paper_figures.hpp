@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/disk.hpp"
+#include "apps/paper/disk.hpp"
 
 namespace poise {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "ascend.hpp"
+#include "dual/ascend.hpp"
 #include "files/field.hpp"
 #include "files/grasp_document.hpp"
 #include "files/grasp_writer.hpp"
@@ -11,7 +11,7 @@
 #include "files/result.hpp"
 #include "files/spatial.hpp"
 #include "poise/capacity.hpp"
-#include "twist.hpp"
+#include "dual/twist.hpp"
 
 namespace poise {
 namespace {

@@ -1,0 +1,71 @@
+// The arc of the posture curve around one posture: docs/theory.md, "The posture curve". Not
+// installed.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "dual/dual.hpp"
+#include "poise/posture_curve.hpp"
+
+namespace poise {
+
+/// The solver's load in a posture: weight 1, no moment about the com.
+inline Wrench<2> load_at(double cosine, double sine) { return {sine, cosine, 0}; }
+
+/// g(theta) = a + b cos theta + c sin theta around a posture where it is not negative: how far it
+/// stays so on either side, as t = tan(turn / 2).
+struct Reach {
+  explicit Reach(double theta);
+
+  /// Keeps to where g >= 0. What is nowhere negative but for rounding is no constraint.
+  void keep(const Eigen::RowVector3d& g, double rounding);
+  /// Keeps to this side of a posture.
+  void stop(double angle);
+  double from() const { return at + 2 * std::atan(least); }
+  double to() const { return at + 2 * std::atan(most); }
+
+  double at, cosine, sine;
+  double least{-std::numeric_limits<double>::infinity()};
+  double most{std::numeric_limits<double>::infinity()};
+};
+
+/// Solves for arcs, in numbers of type T.
+template <class T>
+class ArcSolver {
+ public:
+  explicit ArcSolver(const Cones<2, T>& cones);
+
+  /// The arc around the posture of `reach`, from the faces to which `point` projects there: y (a
+  /// twist about the com in the solver's units), V [weights^2], and how far the faces stay valid.
+  /// False where they do not balance the neighbouring postures: the posture is an arc of its own.
+  bool solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc);
+  /// What contact i does all along the arc last solved for.
+  ArcState state(std::size_t i) const;
+
+ private:
+  /// Coefficients of (1, cos theta, sin theta), one row for each component.
+  template <int Rows>
+  using Affine = Eigen::Matrix<T, Rows, 3>;
+  using Row = Eigen::Matrix<T, 1, 3>;
+
+  struct Contact {
+    Eigen::Matrix<T, 3, 2> G;  ///< its columns of the grasp matrix
+    T mu, edge, lo, hi;
+    dual::Face<T> face;
+    Affine<2> F, Z;  ///< its force, and G^T y
+  };
+
+  template <int First, int Columns>
+  void balance(const dual::Square<2, T>& inverse, const Eigen::Matrix<T, 3, Columns>& load,
+               Eigen::Matrix<T, 3, Columns> residual, bool free_turn, Affine<3>& Y,
+               T& largest_force);
+  template <class Function>
+  static void for_each_condition(const Contact& contact, const Function& f);
+  Row turn_at(const Reach& reach, const Affine<3>& Y) const;
+
+  bool limited_;
+  SmallVector<Contact, 16> contacts_;
+};
+
+}  // namespace poise

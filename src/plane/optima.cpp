@@ -1,0 +1,148 @@
+#include "plane/optima.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plane/harmonic.hpp"
+
+namespace poise {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// A part of an arc on which V rises, falls, or does neither.
+struct Segment {
+  double from, to;
+  int trend;  ///< 1, -1 or 0
+  const Harmonic2* V;
+};
+
+double scale(const Harmonic2& V) {
+  return std::abs(V.c0) + std::abs(V.cos1) + std::abs(V.sin1) + std::abs(V.cos2) + std::abs(V.sin2);
+}
+
+/// Splits an arc, moved by `turn`, where its slope changes sign.
+void split(const Arc& arc, double turn, std::vector<Segment>& segments) {
+  constexpr double near = 1e-9;  // an optimum this close to an end of the arc is at the end
+  const double flat = 1e-13 * scale(arc.V);
+  const Harmonic2 slope = derivative(arc.V);
+  double from = arc.from;
+  int trend = 0;
+  if (scale(slope) > flat) {
+    for (const Root& root : sign_changes(slope, arc.from, arc.to)) {
+      if (!(root.at - arc.from > near && arc.to - root.at > near)) continue;
+      trend = root.rising ? 1 : -1;
+      segments.push_back({from + turn, root.at + turn, -trend, &arc.V});
+      from = root.at;
+    }
+    if (trend == 0) {
+      const double middle = arc.V.slope((arc.from + arc.to) / 2);
+      trend = std::abs(middle) <= flat ? 0 : middle > 0 ? 1 : -1;
+    }
+  }
+  segments.push_back({from + turn, arc.to + turn, trend, &arc.V});
+}
+
+double wrapped(double angle) {
+  if (angle > -pi && angle <= pi) return angle;
+  const double a = std::remainder(angle, 2 * pi);
+  return a <= -pi ? pi : a;
+}
+
+/// The optimum between the segments before and after it, which rise or fall and either of which may
+/// be missing at an end; `flat` is there where neither rising nor falling segments lie between
+/// them.
+Optimum between(const Segment* before, const Segment* flat, const Segment* after, double from,
+                double to, bool maximum, bool boundary) {
+  Optimum optimum;
+  optimum.maximum = maximum;
+  optimum.kind = boundary ? Kind::boundary : Kind::smooth;
+  const double middle = (from + to) / 2;
+  optimum.angle = optimum.from = optimum.to = wrapped(middle);
+  const double c = std::cos(middle), s = std::sin(middle);
+  optimum.effort = (flat ? flat : after ? after : before)->V->at(c, s);
+  if (to - from > 1e-8) {  // a stretch of equal V
+    const double turns = 2 * pi * std::floor((from + pi) / (2 * pi));
+    optimum.from = from - turns;
+    optimum.to = to - turns;
+  } else if (before && after && before->V != after->V && !boundary) {
+    const double corner = after->V->slope_at(c, s) - before->V->slope_at(c, s);
+    const double rounding = 1e-14 * std::max(scale(*before->V), scale(*after->V));
+    if (corner > std::max(1e-9 * optimum.effort, rounding)) optimum.kind = Kind::kink;
+  }
+  return optimum;
+}
+
+/// Walks along the segments of one holdable interval, or once around the circle.
+void find(const std::vector<Segment>& segments, bool circle, std::vector<Optimum>& found) {
+  const Segment *before = nullptr,
+                *flat = nullptr;  // the last that rises or falls; the next flat one
+  double from = segments.front().from;
+  for (const Segment& segment : segments) {
+    if (segment.trend == 0) {
+      if (!flat) flat = &segment;
+      continue;
+    }
+    const bool end = !before;
+    if (!(end && circle) && (end || segment.trend != before->trend))
+      found.push_back(between(before, flat, &segment, from, segment.from, segment.trend < 0, end));
+    before = &segment;
+    flat = nullptr;
+    from = segment.to;
+  }
+  const double to = segments.back().to;
+  if (circle && before) return;
+  if (before) {
+    found.push_back(between(before, flat, nullptr, from, to, before->trend > 0, true));
+  } else {  // V is the same everywhere
+    const double start = circle ? -pi : from, stop = circle ? pi : to;
+    for (const bool maximum : {false, true})
+      found.push_back(between(nullptr, flat, nullptr, start, stop, maximum, !circle));
+  }
+}
+
+bool better(const Optimum& a, const Optimum& b) {
+  if (a.maximum != b.maximum) return b.maximum;
+  const double tie = 1e-9 * std::max(std::abs(a.effort), std::abs(b.effort));
+  if (std::abs(a.effort - b.effort) > tie) return (a.effort < b.effort) != a.maximum;
+  if (std::abs(std::abs(a.angle) - std::abs(b.angle)) > 1e-9)
+    return std::abs(a.angle) < std::abs(b.angle);
+  return a.angle > b.angle;
+}
+
+}  // namespace
+
+std::vector<Optimum> optima(const PostureCurve& curve) {
+  std::vector<Optimum> found;
+  found.reserve(8);
+  for (const Interval& interval : curve.holdable) {
+    const bool circle = interval.to - interval.from >= 2 * pi;
+    std::vector<Segment> segments;
+    segments.reserve(2 * curve.arcs.size() + 4);
+    for (const double turn : {0.0, 2 * pi})
+      for (const Arc& arc : curve.arcs) {
+        const bool inside = arc.from + turn >= interval.from && arc.to + turn <= interval.to;
+        if (circle ? turn == 0 : inside) split(arc, turn, segments);
+      }
+    if (circle) {  // start at a segment that rises or falls, and come back to it
+      const auto start = std::find_if(segments.begin(), segments.end(),
+                                      [](const Segment& s) { return s.trend != 0; });
+      if (start != segments.end()) {
+        for (auto s = segments.begin(); s != start; ++s) {
+          s->from += 2 * pi;
+          s->to += 2 * pi;
+        }
+        std::rotate(segments.begin(), start, segments.end());
+        Segment again = segments.front();
+        again.from += 2 * pi;
+        again.to += 2 * pi;
+        segments.push_back(again);
+      }
+    }
+    find(segments, circle, found);
+  }
+  std::sort(found.begin(), found.end(), better);
+  return found;
+}
+
+}  // namespace poise
