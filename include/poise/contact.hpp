@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "poise/object.hpp"
+#include "poise/wrench.hpp"
 
 namespace poise {
 
@@ -28,7 +28,24 @@ struct Contact {
   /// gamma [m], >= 0, in space only: above 0 the finger is soft. Needs friction, and is at most
   /// 1e12 times friction times the radius of the grasp.
   double torsion{0};
+
+  bool operator==(const Contact&) const = default;
 };
+
+/// The fields of a contact, each with the name that files, documents and Python have for it: calls
+/// visit(name, pointer to member) for one after the other. Readers, writers and bindings go by this
+/// list, so that a new field stands here alone.
+template <int Dim, class Visit>
+void for_each_contact_field(const Visit& visit) {
+  visit("position", &Contact<Dim>::position);
+  visit("normal", &Contact<Dim>::normal);
+  visit("friction", &Contact<Dim>::friction);
+  if constexpr (Dim == 3) visit("torsion", &Contact<Dim>::torsion);
+  visit("min_normal", &Contact<Dim>::min_normal);
+  visit("max_normal", &Contact<Dim>::max_normal);
+  visit("share", &Contact<Dim>::share);
+  visit("finger", &Contact<Dim>::finger);
+}
 
 /// Numbers that describe a contact force: normal and tangential, in space normal, two tangential
 /// and the moment about the normal.

@@ -1,7 +1,10 @@
 // The least contact forces that balance a load, with their proof: docs/theory.md, "One posture".
 #pragma once
 
-#include "poise/posture.hpp"
+#include <string>
+#include <vector>
+
+#include "poise/grasp.hpp"
 #include "poise/small_vector.hpp"
 
 namespace poise {
@@ -66,18 +69,37 @@ struct Hold {
   SmallVector<ContactForce<Dim>, 16> forces;  ///< one for each contact; empty where unholdable
 };
 
-/// The hold of least effort in the posture `up` (unit vector against gravity, object frame).
+/// The hold of least effort in the posture `up` (unit vector against gravity, object frame), against
+/// the load that needs most.
 ///
-/// Minimises sum |f_i|^2 / share_i over forces in the friction cones that balance the weight:
+/// Minimises sum |f_i|^2 / share_i over forces in the friction cones that balance the load:
 /// the paper's evaluation function (12), for any contacts. Allocates nothing up to 16 contacts.
+/// @throws InvalidGrasp where `up` is no unit vector or the force cap is out of its range
 template <int Dim>
 Hold<Dim> hold(const Grasp<Dim>& grasp, const Vector<Dim>& up, const HoldSettings& settings = {});
 
-/// The same for any load (the wrench that the contacts must supply, about the object frame's
-/// origin), started at a twist y that was optimal for a load nearby.
+/// The same for one load.
 template <int Dim>
-Hold<Dim> hold(const Grasp<Dim>& grasp, const Wrench<Dim>& load, const Twist<Dim>& y,
+Hold<Dim> hold(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
                const HoldSettings& settings = {});
+
+/// The same for any wrench that the contacts must supply (about the object frame's origin), started
+/// at a twist y that was optimal for a wrench nearby. `weight` [N] is the unit of the force cap and
+/// of the balance tolerance.
+template <int Dim>
+Hold<Dim> hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight, const Twist<Dim>& y,
+               const HoldSettings& settings = {});
+
+/// phi(G^T y) [N^2] of a twist y about the object frame's origin [N, N/m]: half the sum of the
+/// squares of the forces to which G^T y projects, where nothing limits them.
+/// The greatest value of f . G^T y - |f|^2 / 2 over all f in the cones.
+template <int Dim>
+double phi(const Hand<Dim>& hand, const Twist<Dim>& y);
+
+/// What a twist y (about the object frame's origin [N, N/m]) proves of a load [N, N m]:
+/// V >= 2 (y . load - phi(G^T y)), whatever y is. On this every proof rests: docs/theory.md, (3).
+template <int Dim>
+double bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Dim>& y);
 
 /// What one finger does with all its contacts.
 template <int Dim>
@@ -86,30 +108,30 @@ struct FingerForce {
   Vector<Dim> force = Vector<Dim>::Zero();  ///< on the object, object frame [N]
 };
 
-/// The forces of the fingers, in the order of grasp.fingers(). Empty where unholdable.
+/// The force on the object at a contact, object frame [N].
+Vector<2> force_vector(const Contact<2>& contact, const ContactForce<2>& force);
+Vector<3> force_vector(const Contact<3>& contact, const ContactForce<3>& force);
+
+/// The forces of the fingers, in the order of hand.fingers(). Empty where unholdable.
 template <int Dim>
-std::vector<FingerForce<Dim>> finger_forces(const Grasp<Dim>& grasp, const Hold<Dim>& hold);
+std::vector<FingerForce<Dim>> finger_forces(const Hand<Dim>& hand, const Hold<Dim>& hold);
 
 /// How hard the hardest pressing finger presses: the largest normal force of a finger [N].
 template <int Dim>
-double grip_force(const Grasp<Dim>& grasp, const Hold<Dim>& hold);
+double grip_force(const Hand<Dim>& hand, const Hold<Dim>& hold);
 
-/// Whether every finger's normal force is above 1e-9 of the weight.
+/// Whether every finger's normal force is above 1e-9 of the weight [N].
 template <int Dim>
-bool all_loaded(const Grasp<Dim>& grasp, const Hold<Dim>& hold);
-
-/// How the object is held in the posture `up` by these forces.
-Manner manner(const Grasp<2>& grasp, const Vector<2>& up, const Hold<2>& hold);
-Manner manner(const Grasp<3>& grasp, const Vector<3>& up, const Hold<3>& hold);
+bool all_loaded(const Hand<Dim>& hand, const Hold<Dim>& hold, double weight);
 
 /// Why an unholdable load cannot be held, in words: the motion that it drives and no contact
-/// opposes ("it would turn clockwise about (0.1, 0) m").
-std::string reason(const Grasp<2>& grasp, const Hold<2>& hold);
-/// In space also "it would turn about the line through contacts 0 and 1".
-std::string reason(const Grasp<3>& grasp, const Hold<3>& hold);
+/// opposes ("it would turn clockwise about (0.1, 0) m"); in space also "it would turn about the line
+/// through contacts 0 and 1".
+std::string reason(const Hand<2>& hand, const Hold<2>& hold);
+std::string reason(const Hand<3>& hand, const Hold<3>& hold);
 
 /// Whether the contacts, without force limits, can balance any wrench at all.
 template <int Dim>
-bool force_closure(const Grasp<Dim>& grasp);
+bool force_closure(const Hand<Dim>& hand);
 
 }  // namespace poise

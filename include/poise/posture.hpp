@@ -1,9 +1,11 @@
-// The posture of an object: how it is turned against gravity.
+// The posture of an object: how it is turned against gravity, and how it is held there.
 #pragma once
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
-#include "poise/grasp.hpp"
+#include "poise/hold.hpp"
 
 namespace poise {
 
@@ -14,23 +16,21 @@ inline Vector<2> up_at(double theta) { return {std::sin(theta), std::cos(theta)}
 /// The theta [rad], in (-pi, pi], of a planar posture.
 inline double angle_of(const Vector<2>& up) { return std::atan2(up.x(), up.y()); }
 
-/// Postures to choose from: all of them, or those where the object is not cradled.
-enum class Domain { all, pinched };
-
 /// An interval of planar postures [rad]: from <= to <= from + 2 pi, from in [-pi, pi).
 /// The whole circle is [-pi, pi]; a single posture has from == to.
 struct Interval {
   double from{0}, to{0};
 };
 
-/// The postures in which the centre of mass lies in the fork of the fingers: outside the hull of
+/// The postures in which a centre of mass lies in the fork of the fingers: outside the hull of
 /// the contact points (by more than 1e-9 L), and straight above some point of it. An open interval
 /// of less than 180 degrees, by geometry alone; from == to where nothing is cradled.
-Interval cradled_wedge(const Grasp<2>& grasp);
+Interval cradled_wedge(const Hand<2>& hand, const Vector<2>& com);
 
-/// Whether in the posture `up` the centre of mass lies in the fork of the fingers: outside the hull
+/// Whether in the posture `up` a centre of mass lies in the fork of the fingers: outside the hull
 /// of the contact points (by more than 1e-9 L), and straight above some point of it, not only just.
-bool cradled(const Grasp<3>& grasp, const Vector<3>& up);
+bool cradled(const Hand<2>& hand, const Vector<2>& com, const Vector<2>& up);
+bool cradled(const Hand<3>& hand, const Vector<3>& com, const Vector<3>& up);
 
 /// How the object is held.
 enum class Manner {
@@ -40,5 +40,41 @@ enum class Manner {
 };
 /// The name of the value: "pinched".
 const char* to_string(Manner manner);
+
+/// How the object is held in the posture `up` by these forces against this load.
+template <int Dim>
+Manner manner(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
+              const Hold<Dim>& hold);
+
+/// A posture with the holds of all loads.
+template <int Dim>
+struct Posture {
+  Vector<Dim> up = Vector<Dim>::Zero();  ///< unit vector against gravity, object frame
+  std::vector<Hold<Dim>> holds;          ///< one for each load
+  /// Index of the load that decides: the first that cannot be held, else the one that needs the
+  /// greatest effort.
+  std::size_t decides{0};
+  Manner manner{Manner::resting};  ///< against the load that decides; resting where unholdable
+  double grip_force{0};            ///< against the load that decides [N]
+
+  /// The hold of the load that decides.
+  const Hold<Dim>& hold() const { return holds[decides]; }
+  /// Whether all loads are held.
+  bool holdable() const { return hold().holdable; }
+  /// V of the hold that decides [N^2]; infinite where unholdable.
+  double effort() const {
+    return holdable() ? hold().effort : std::numeric_limits<double>::infinity();
+  }
+};
+
+/// The least forces in the posture `up` (unit vector, object frame) against each of the loads.
+template <int Dim>
+Posture<Dim> posture_at(const Grasp<Dim>& grasp, const Vector<Dim>& up,
+                        const HoldSettings& settings = {});
+
+/// A posture of which the holds are known, one for each load.
+template <int Dim>
+Posture<Dim> posture_of(const Grasp<Dim>& grasp, const Vector<Dim>& up,
+                        std::vector<Hold<Dim>> holds);
 
 }  // namespace poise

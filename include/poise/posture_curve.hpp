@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "poise/hold.hpp"
+#include "poise/posture.hpp"
 
 namespace poise {
 
@@ -91,6 +91,9 @@ struct PostureCurve {
   std::vector<Optimum> optima;
 };
 
+/// Planar postures to choose from: all of them, or those where the object is not cradled.
+enum class Domain { all, pinched };
+
 /// Which postures to go through, and what still counts as a hold.
 struct CurveSettings {
   Domain domain{Domain::all};
@@ -101,6 +104,7 @@ struct CurveSettings {
 Interval domain_interval(const Grasp<2>& grasp, Domain domain);
 
 /// V(theta) of every posture of the domain, with its minima and maxima, without sampling.
+/// @throws InvalidGrasp where the grasp has more than one load
 PostureCurve posture_curve(const Grasp<2>& grasp, const CurveSettings& settings = {});
 
 }  // namespace poise

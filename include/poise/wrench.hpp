@@ -1,4 +1,4 @@
-// What is held: a rigid body of which only the weight and the centre of mass matter.
+// Vectors, wrenches and twists: the quantities in which everything is told.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,15 +20,5 @@ using Wrench = Eigen::Matrix<double, wrench_size<Dim>, 1>;
 /// Velocity over angular velocity: what a wrench does power on. Moves from point to point as one.
 template <int Dim>
 using Twist = Eigen::Matrix<double, wrench_size<Dim>, 1>;
-
-/// Standard gravity [m/s^2]: weight = mass * standard_gravity.
-inline constexpr double standard_gravity = 9.80665;
-
-/// A rigid body of which only the weight and the centre of mass matter.
-template <int Dim>
-struct Object {
-  double weight{1};                       ///< [N], > 0
-  Vector<Dim> com = Vector<Dim>::Zero();  ///< centre of mass [m], object frame
-};
 
 }  // namespace poise

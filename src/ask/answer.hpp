@@ -1,0 +1,85 @@
+// What Poise answers: complete, so that who writes, draws or checks it solves nothing.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "poise/best_posture.hpp"
+#include "poise/capacity.hpp"
+
+namespace poise {
+
+/// How the grasp is understood.
+template <int Dim>
+struct CheckAnswer {
+  bool force_closure{false};
+  Interval cradled{};  ///< in the plane: from == to where nothing is cradled
+};
+
+/// The posture that was asked for, as it was given; nothing where the file's was taken.
+struct PostureOption {
+  std::optional<double> angle_deg{};  ///< in the plane
+  std::vector<double> up{};
+};
+
+template <int Dim>
+struct HoldAnswer {
+  PostureOption option;
+  HoldSettings settings;
+  Posture<Dim> posture;
+};
+
+template <int Dim>
+struct BestAnswer;
+template <>
+struct BestAnswer<2> {
+  CurveSettings settings;
+  Best<2> best;
+  /// As it is held now, where the file says so.
+  std::optional<Posture<2>> now;
+};
+template <>
+struct BestAnswer<3> {
+  SpatialSettings settings;
+  Best<3> best;
+  std::optional<Posture<3>> now;
+  Eigen::Quaterniond orientation{Eigen::Quaterniond::Identity()};  ///< the present one
+};
+
+struct CurveAnswer {
+  CurveSettings settings;
+  PostureCurve curve;
+  std::vector<Minimum<2>> optima;  ///< one for each of the curve's, maxima too
+};
+
+/// What a gripper can hold in a posture, against one load.
+template <int Dim>
+struct CapacityAt {
+  std::string posture{};  ///< which one: given, now, best or upright
+  Vector<Dim> up;
+  std::size_t load{0};
+  Capacity<Dim> capacity;
+};
+
+template <int Dim>
+struct CapacityAnswer {
+  PostureOption option;
+  double force_cap{1e6}, safety{1.5};
+  std::vector<CapacityAt<Dim>> capacities;
+};
+
+template <int Dim>
+struct AnswerTo;
+template <>
+struct AnswerTo<2> {
+  std::variant<CheckAnswer<2>, HoldAnswer<2>, BestAnswer<2>, CurveAnswer, CapacityAnswer<2>> of;
+};
+template <>
+struct AnswerTo<3> {
+  std::variant<CheckAnswer<3>, HoldAnswer<3>, BestAnswer<3>, CapacityAnswer<3>> of;
+};
+
+}  // namespace poise

@@ -1,0 +1,29 @@
+// What can be asked of a grasp: one type for the program, the page, Python and batch.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+#include "poise/best_posture.hpp"
+
+namespace poise {
+
+enum class Command { check, hold, best, curve, capacity };
+
+/// A question; what is not given is taken from the grasp file, else it has its default.
+struct Question {
+  Command command{Command::best};
+  std::optional<double> angle_deg{};          ///< the posture in the plane, as it was given
+  std::vector<double> up{};                   ///< or its direction, as it was given: 2 or 3 numbers
+  std::optional<Domain> domain{};             ///< in the plane
+  double force_cap{HoldSettings{}.force_cap};  ///< in weights of the heaviest load
+  std::optional<double> gap{};                ///< in space, as are all below but the safety
+  std::optional<int> max_holds{};
+  std::optional<Vector<3>> tilt_from{};
+  std::optional<double> tilt_max_deg{};
+  std::optional<Eigen::Quaterniond> orientation{};  ///< the present one, object to world
+  double safety{1.5};                               ///< of capacity
+};
+
+}  // namespace poise
