@@ -32,9 +32,9 @@ T quadratic(const Square<3, T>& M, const Screw<3, T>& x);
 
 /// Near the limit of friction |z| is about |f|², and Π_K(z) has lost digits. Gives the forces back
 /// the digits that they have. False if Newton's method has not come near enough for that.
-[[gnu::noinline]] bool polish(const Cones<2>& grasp, const Wrench<2>& w, double tolerance,
+[[gnu::noinline]] bool polish(const Cones<2>& cones, const Wrench<2>& w, double tolerance,
                               Point<2>& point);
-[[gnu::noinline]] bool polish(const Cones<3>& grasp, const Wrench<3>& w, double tolerance,
+[[gnu::noinline]] bool polish(const Cones<3>& cones, const Wrench<3>& w, double tolerance,
                               Point<3>& point);
 
 /// The same number for all contacts of a lane.
@@ -100,17 +100,17 @@ enum class Rise { none, some, proof };
 /// Goes from y along d, of length 1, as far as a proof that nothing holds needs: `far` is it, if it
 /// is one.
 template <int Dim, class T>
-[[gnu::noinline]] Rise prove(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w,
+[[gnu::noinline]] Rise prove(const Cones<Dim, T>& cones, const Screw<Dim, T>& w,
                              const Screw<Dim, T>& y, const Screw<Dim, T>& d, double force_cap,
                              Point<Dim, T>& far) {
   // Far out, but not so far that rounding in G^T d makes itself felt as a force.
-  evaluate<Dim, T>(grasp, w, T(2e-3 / rounding_of<T>) * d, far);
+  evaluate<Dim, T>(cones, w, T(2e-3 / rounding_of<T>) * d, far);
   const T rise = far.residual.dot(d) - delta;
   if (rise <= 0) return Rise::none;
-  evaluate<Dim, T>(grasp, w, y + 0.55 * force_cap * force_cap / rise * d, far);
+  evaluate<Dim, T>(cones, w, y + 0.55 * force_cap * force_cap / rise * d, far);
   // Others may round G^T y otherwise: then it must still be a proof.
   const T rounding = rounding_of<T> * length<Dim, T>(far.y);
-  const T doubt = rounding * rounding * static_cast<double>(grasp.size);
+  const T doubt = rounding * rounding * static_cast<double>(cones.size);
   return lower_bound(far) - doubt > force_cap * force_cap ? Rise::proof : Rise::some;
 }
 
@@ -118,7 +118,7 @@ template <int Dim, class T>
 /// maximises value − ½ rho |y|² instead, whose y is bounded: (w − G f) / rho. `rough`: without the
 /// digits that polishing gives.
 template <int Dim, class T>
-bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim, T>& start,
+bool ascend(const Cones<Dim, T>& cones, const Screw<Dim, T>& w, const Screw<Dim, T>& start,
             double force_cap, double rho, Point<Dim, T>& point,
             [[maybe_unused]] bool rough = false) {
   constexpr double rounding = rounding_of<T>;
@@ -129,13 +129,13 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
   bool settled = false, unbounded = false;
   int cuts = 0;  // steps in a row that changing faces cut short
   const auto evaluate_at = [&](const Screw<Dim, T>& y) {
-    evaluate<Dim, T>(grasp, w, y, point);
+    evaluate<Dim, T>(cones, w, y, point);
     if (rho == 0) return;
     point.value -= rho / 2 * y.squaredNorm();
     point.residual -= T(rho) * y;
   };
   const auto curvature_here = [&] {
-    Square<Dim, T> M = curvature(grasp, point);
+    Square<Dim, T> M = curvature(cones, point);
     if (rho > 0) M.diagonal().array() += T(rho);
     return M;
   };
@@ -179,7 +179,7 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
         return true;
       const bool stalled = Dim == 2 || error > 0.1 * last_error;
       if (((settled && stalled) || error <= delta / 2 + 1e-14 * distance) &&
-          (rough || polish(grasp, w, 1e-13, point)))
+          (rough || polish(cones, w, 1e-13, point)))
         return !above_cap();
       if (unbounded && error <= 0.5 * delta) return true;
     }
@@ -221,7 +221,7 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
     if (rho == 0 && stretch > reach && slope_there > 0.5 * slope) {
       Point<Dim, T> far = point;
       const T one = length<Dim, T>(dy);
-      const Rise rise = prove<Dim, T>(grasp, w, point.y, dy / one, force_cap, far);
+      const Rise rise = prove<Dim, T>(cones, w, point.y, dy / one, force_cap, far);
       if (rise == Rise::proof) {
         point = far;
         return false;
@@ -236,24 +236,24 @@ bool ascend(const Cones<Dim, T>& grasp, const Screw<Dim, T>& w, const Screw<Dim,
 
 #ifdef __x86_64__
 template <int Dim>
-[[gnu::target("avx2,fma"), gnu::flatten]] bool climb_by_avx2(const Cones<Dim>& grasp,
+[[gnu::target("avx2,fma"), gnu::flatten]] bool climb_by_avx2(const Cones<Dim>& cones,
                                                              const Wrench<Dim>& w,
                                                              const Twist<Dim>& start,
                                                              double force_cap, double rho,
                                                              Point<Dim>& point, bool rough) {
-  return ascend<Dim, double>(grasp, w, start, force_cap, rho, point, rough);
+  return ascend<Dim, double>(cones, w, start, force_cap, rho, point, rough);
 }
 #endif
 
 /// ascend() in doubles, with the SIMD instructions that this machine has.
 template <int Dim>
-bool climb(const Cones<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& start, double force_cap,
+bool climb(const Cones<Dim>& cones, const Wrench<Dim>& w, const Twist<Dim>& start, double force_cap,
            double rho, Point<Dim>& point, bool rough = false) {
 #ifdef __x86_64__
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    return climb_by_avx2<Dim>(grasp, w, start, force_cap, rho, point, rough);
+    return climb_by_avx2<Dim>(cones, w, start, force_cap, rho, point, rough);
 #endif
-  return ascend<Dim, double>(grasp, w, start, force_cap, rho, point, rough);
+  return ascend<Dim, double>(cones, w, start, force_cap, rho, point, rough);
 }
 
 }  // namespace poise::dual

@@ -3,16 +3,25 @@
 //   minimise ½|f|²  subject to  G f = w,  f in K        (K: the product of the friction cones)
 //   maximise  yᵀw − φ(Gᵀy),  φ(z) = sup { zᵀf − ½|f|² : f in K },  attained at f = Π_K(z)
 //
-// Everything here is in the units of ScaledGrasp.
+// Everything here is in the units of Hand::Scaled.
 #pragma once
 
 #include "poise/small_vector.hpp"
-#include "dual/scaled_grasp.hpp"
+#include "dual/scaled_hand.hpp"
 
 namespace poise::dual {
 
 /// The balance tolerance: force / W and moment / (W L).
 inline constexpr double delta = 1e-12;
+
+/// A hand with the unit of force: what is solved, but for the load.
+template <int Dim>
+struct Problem : Cones<Dim> {
+  Problem(const ScaledHand<Dim>& of, double unit)
+      : Cones<Dim>(of.cones(unit)), hand(of), weight(unit) {}
+  const ScaledHand<Dim>& hand;
+  double weight;  ///< [N]
+};
 
 /// A wrench or a twist: a screw.
 template <int Dim, class T>
@@ -89,7 +98,8 @@ template <class T>
 Face<T> face(const Cones<2, T>& cones, std::size_t contact, const Eigen::Matrix<T, 2, 1>& z) {
   const ContactLane<2, T>& c = cones.lanes[contact / lane_size_of<T>];
   const std::size_t k = contact % lane_size_of<T>;
-  return face<T>(element(c.mu, k), element(c.edge, k), element(c.lo, k), element(c.hi, k), z);
+  return face<T>(element(c.mu, k), element(c.edge, k), element(c.lo, k) * cones.per_weight,
+                 element(c.hi, k) * cones.per_weight, z);
 }
 
 /// Evaluates the dual function of load w at y.
@@ -112,28 +122,28 @@ inline bool in_closed_form(const Cones<2>& cones) { return cones.size == 2 && !c
 
 /// Where to start without a y of a load nearby.
 template <int Dim>
-Twist<Dim> cold_start(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w);
+Twist<Dim> cold_start(const Problem<Dim>& problem, const Wrench<Dim>& w);
 template <>
-Twist<2> cold_start(const ScaledGrasp<2>& grasp, const Wrench<2>& w);
+Twist<2> cold_start(const Problem<2>& problem, const Wrench<2>& w);
 template <>
-Twist<3> cold_start(const ScaledGrasp<3>& grasp, const Wrench<3>& w);
+Twist<3> cold_start(const Problem<3>& problem, const Wrench<3>& w);
 
 /// Maximises from `start`. True: point.f is the hold of least effort, point.y its proof. False: it
 /// cannot be held, lower_bound(point) > force_cap^2, by the y that tells w best from what can be
 /// balanced.
 template <int Dim>
-bool maximise(const ScaledGrasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& start,
+bool maximise(const Problem<Dim>& problem, const Wrench<Dim>& w, const Twist<Dim>& start,
               double force_cap, Point<Dim>& point);
 template <>
-bool maximise(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
+bool maximise(const Problem<2>& problem, const Wrench<2>& w, const Twist<2>& start,
               double force_cap, Point<2>& point);
 template <>
-bool maximise(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
+bool maximise(const Problem<3>& problem, const Wrench<3>& w, const Twist<3>& start,
               double force_cap, Point<3>& point);
 
 /// The same as far as doubles come: true where point.f balances w but for their rounding. False:
 /// point.y may prove that it cannot be held, or nothing.
-bool approach(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
+bool approach(const Problem<3>& problem, const Wrench<3>& w, const Twist<3>& start,
               double force_cap, Point<3>& point);
 
 /// The same in wider numbers, for where rounding of doubles leaves it open: True: point.f balances

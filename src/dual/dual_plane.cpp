@@ -22,17 +22,18 @@ void evaluate_plane(const Cones<2, T>& cones, const Screw<2, T>& w, const Screw<
   const L vx = all(y[0]), vy = all(y[1]), omega = all(y[2]);
   L fx{}, fy{}, fm{}, phi{};
   LaneForces<2, T>* forces = point.lanes.data();
-  const ContactLane<2, T>* const end = cones.lanes.end();
-  for (const ContactLane<2, T>* lane = cones.lanes.begin(); lane != end; ++lane, ++forces) {
-    const ContactLane<2, T>& c = *lane;
+  for (const ContactLane<2, T>& c : cones.lanes) {
     const L ux = vx + omega * c.jx, uy = vy + omega * c.jy;
     const L zn = c.nx * ux + c.ny * uy, zt = c.nx * uy - c.ny * ux;
     const L beside = magnitude(zt);
     const L along = (zn + c.mu * beside) * c.edge;  // normal force of z's projection to the edge
-    L n = larger(larger(zn, along), c.lo);
-    if constexpr (limited) n = smaller(n, c.hi);
+    L n = larger(zn, along);
+    if constexpr (limited)
+      n = smaller(larger(n, L(c.lo * cones.per_weight)), L(c.hi * cones.per_weight));
+    else
+      n = larger(n, L{});
     const L t = with_sign_of(zt, smaller(beside, L(c.mu * n)));
-    *forces = {{zn, zt}, {n, t}};
+    *forces++ = {{zn, zt}, {n, t}};
     const L gx = n * c.nx - t * c.ny, gy = n * c.ny + t * c.nx;
     fx += gx;
     fy += gy;
@@ -64,13 +65,15 @@ Square<2, T> curvature_plane(const Cones<2, T>& cones, const Point<2, T>& point)
     Mmm += e * m * m;
   };
   const LaneForces<2, T>* forces = point.lanes.data();
-  const ContactLane<2, T>* const end = cones.lanes.end();
-  for (const ContactLane<2, T>* lane = cones.lanes.begin(); lane != end; ++lane, ++forces) {
-    const ContactLane<2, T>& c = *lane;
+  for (const ContactLane<2, T>& c : cones.lanes) {
     const L zt = forces->z[1], n = forces->f[0];
+    ++forces;
     const auto inside = magnitude(zt) < c.mu * n;
-    L free = n > c.lo ? c.edge : zero;  // neither at its least nor at its greatest
-    if constexpr (limited) free = n < c.hi ? free : zero;
+    L free = c.edge;  // neither at its least nor at its greatest
+    if constexpr (limited)
+      free = n > L(c.lo * cones.per_weight) ? (n < L(c.hi * cones.per_weight) ? free : zero) : zero;
+    else
+      free = n > zero ? free : zero;
     // Inside, forces along x and y; on the edge those along it.
     const L share = inside ? c.share : zero, sx = share * c.jx, sy = share * c.jy;
     Mxx += share;
@@ -135,24 +138,24 @@ T quadratic(const Square<2, T>& M, const Screw<2, T>& x) {
 
 /// On the faces where z is, the forces are corrected until they balance. False if they leave their
 /// faces.
-bool polish(const Cones<2>& grasp, const Wrench<2>& w, double tolerance, Point<2>& point) {
+bool polish(const Cones<2>& cones, const Wrench<2>& w, double tolerance, Point<2>& point) {
   Point<2> trial = point;
-  const Square<2, double> M = curvature(grasp, point);
+  const Square<2, double> M = curvature(cones, point);
   const double scale = std::sqrt(squared_norm(point)) + 1;
   for (int round = 0; round < 4; ++round) {
     const Twist<2> dy = newton_step(M, trial.residual);
     trial.y += dy;
     Wrench<2> balance = w;
-    for (std::size_t i = 0; i < grasp.size; ++i) {
-      const ContactLane<2>& c = grasp.lanes[i / lane_size];
+    for (std::size_t i = 0; i < cones.size; ++i) {
+      const ContactLane<2>& c = cones.lanes[i / lane_size];
       LaneForces<2, double>& lane = trial.lanes[i / lane_size];
       const std::size_t k = i % lane_size;
       const double ux = dy[0] + dy[2] * c.jx[k], uy = dy[1] + dy[2] * c.jy[k];
       const Vector<2> dz(c.nx[k] * ux + c.ny[k] * uy, c.nx[k] * uy - c.ny[k] * ux);
-      const Face<> on = face<double>(grasp, i, point.z(i));
+      const Face<> on = face<double>(cones, i, point.z(i));
       Vector<2> f = trial.f(i) + on.P * dz;
       // What is off its face by rounding goes back to it; by more, the face is not the right one.
-      const double n = std::clamp(f[0], c.lo[k], c.hi[k]);
+      const double n = std::clamp(f[0], c.lo[k] * cones.per_weight, c.hi[k] * cones.per_weight);
       const double t = std::clamp(f[1], -c.mu[k] * n, c.mu[k] * n);
       if (std::abs(n - f[0]) > tolerance * scale || std::abs(t - f[1]) > tolerance * scale)
         return false;
@@ -169,7 +172,7 @@ bool polish(const Cones<2>& grasp, const Wrench<2>& w, double tolerance, Point<2
   const double effort = squared_norm(trial);
   if (size<2, double>(trial.residual) > std::max(0.5 * delta, 1e-15 * scale)) return false;
   Point<2> proof = trial;
-  evaluate<2, double>(grasp, w, trial.y, proof);
+  evaluate<2, double>(cones, w, trial.y, proof);
   if (std::abs(effort - 2 * proof.value) > 1e3 * tolerance * effort) return false;
   trial.value = proof.value;
   point = trial;
@@ -215,9 +218,9 @@ namespace {
 /// Two planar contacts have one internal force alpha f_N, along the line between them. Clamped to
 /// the cones from 0 (the paper's alpha-bar), it gives the forces; y follows from the edge at which
 /// it stops.
-Twist<2> cold_start_two(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
-  const Twist<2> y = grasp.inverse * w;
-  const ContactLane<2>& c = grasp.lanes[0];
+Twist<2> cold_start_two(const Problem<2>& problem, const Wrench<2>& w) {
+  const Twist<2> y = problem.hand.inverse * w;
+  const ContactLane<2>& c = problem.lanes[0];
   // Forces of the two contacts without internal force.
   const auto pair = [](const Lane& x) { return Pair{x[0], x[1]}; };
   const Pair nx = pair(c.nx), ny = pair(c.ny), mu = pair(c.mu);
@@ -229,7 +232,7 @@ Twist<2> cold_start_two(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
   const Pair zero{}, none = {infinity, infinity};
   Pair from[2], to[2];
   for (int side = 0; side < 2; ++side) {
-    const Pair per_margin = grasp.internal.per_margin[side];
+    const Pair per_margin = problem.hand.internal.per_margin[side];
     const Pair alpha = ((side == 0 ? t : -t) - mu * n) * per_margin;
     from[side] = per_margin > zero ? alpha : -none;
     to[side] = per_margin < zero ? alpha : none;
@@ -241,10 +244,10 @@ Twist<2> cold_start_two(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
   const Pair* const stops = alpha > 0 ? from : to;
   const int i = stops[0][0] == alpha || stops[1][0] == alpha ? 0 : 1;
   const int side = stops[0][i] == alpha ? 0 : 1;
-  const double lambda = alpha * grasp.internal.square * grasp.internal.per_margin[side][i];
+  const double lambda = alpha * problem.hand.internal.square * problem.hand.internal.per_margin[side][i];
   const double an = lambda * c.mu[i], at = side == 0 ? -lambda : lambda;
   const double gx = an * c.nx[i] - at * c.ny[i], gy = an * c.ny[i] + at * c.nx[i];
-  const Twist<2> clamped = y - grasp.inverse * Wrench<2>(gx, gy, gx * c.jx[i] + gy * c.jy[i]);
+  const Twist<2> clamped = y - problem.hand.inverse * Wrench<2>(gx, gy, gx * c.jx[i] + gy * c.jy[i]);
   // Contacts at one point have no line between them.
   return span(clamped) < 1e7 ? clamped : y;
 }
@@ -252,9 +255,9 @@ Twist<2> cold_start_two(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
 }  // namespace
 
 template <>
-Twist<2> cold_start<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w) {
-  if (in_closed_form(grasp)) return cold_start_two(grasp, w);
-  return grasp.inverse * w;
+Twist<2> cold_start<2>(const Problem<2>& problem, const Wrench<2>& w) {
+  if (in_closed_form(problem)) return cold_start_two(problem, w);
+  return problem.hand.inverse * w;
 }
 
 namespace {
@@ -262,13 +265,13 @@ namespace {
 /// From the y that is pulled towards 0 by rho: the direction from what can be balanced to w, as a
 /// proof that nothing holds. It is normal to the faces on which the nearest balance lies, and so
 /// the same for all loads near this one, up to the limit of holding.
-bool separate(const ScaledGrasp<2>& grasp, const Wrench<2>& w, double force_cap,
+bool separate(const Problem<2>& problem, const Wrench<2>& w, double force_cap,
               const Point<2>& pulled, Point<2>& proof) {
   Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
   Wrench<2> beyond = w;
-  for (std::size_t i = 0; i < grasp.size; ++i) {
-    const Eigen::Matrix<double, 3, 2> G = columns<double>(grasp, i);
-    const Face<> on = face<double>(grasp, i, pulled.z(i));
+  for (std::size_t i = 0; i < problem.size; ++i) {
+    const Eigen::Matrix<double, 3, 2> G = columns<double>(problem, i);
+    const Face<> on = face<double>(problem, i, pulled.z(i));
     M += G * on.P * G.transpose();
     beyond -= G * on.f0;
   }
@@ -280,24 +283,24 @@ bool separate(const ScaledGrasp<2>& grasp, const Wrench<2>& w, double force_cap,
   if (!(length<2, double>(d) > 0)) return false;
   d /= length<2, double>(d);
   Point<2> far = pulled;
-  if (prove<2, double>(grasp, w, Twist<2>::Zero(), d, force_cap, far) != Rise::proof) return false;
+  if (prove<2, double>(problem, w, Twist<2>::Zero(), d, force_cap, far) != Rise::proof) return false;
   proof = far;
   return true;
 }
 
 /// The solution in wide numbers, rounded.
-void round_to(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Point<2, Wide>& wide,
+void round_to(const Problem<2>& problem, const Wrench<2>& w, const Point<2, Wide>& wide,
               Point<2>& point) {
-  evaluate<2, double>(grasp, w, wide.y.cast<double>(), point);
+  evaluate<2, double>(problem, w, wide.y.cast<double>(), point);
   point.residual = w;
-  for (std::size_t i = 0; i < grasp.size; ++i) {
+  for (std::size_t i = 0; i < problem.size; ++i) {
     LaneForces<2, double>& lane = point.lanes[i / lane_size];
     const Vector<2> f = wide.f(i).cast<double>(), z = wide.z(i).cast<double>();
     for (int k = 0; k < 2; ++k) {
       lane.f[k][i % lane_size] = f[k];
       lane.z[k][i % lane_size] = z[k];
     }
-    point.residual -= columns<double>(grasp, i) * f;
+    point.residual -= columns<double>(problem, i) * f;
   }
 }
 
@@ -330,22 +333,22 @@ bool decide(const Cones<2, Wide>& cones, const Wrench<2>& w, double force_cap,
 }
 
 template <>
-bool maximise<2>(const ScaledGrasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
+bool maximise<2>(const Problem<2>& problem, const Wrench<2>& w, const Twist<2>& start,
                  double force_cap, Point<2>& point) {
   // A proof that a neighbour cannot be held is too long to start from.
   const bool near = span(start) < 1e8;
-  if (climb<2>(grasp, w, near ? start : cold_start<2>(grasp, w), force_cap, 0, point)) return true;
+  if (climb<2>(problem, w, near ? start : cold_start<2>(problem, w), force_cap, 0, point)) return true;
   // A pull towards y = 0 gives the sharpest proof.
   Point<2> pulled = point;
-  climb<2>(grasp, w, Twist<2>::Zero(), std::numeric_limits<double>::infinity(), 1e-6, pulled);
-  if (separate(grasp, w, force_cap, pulled, point)) return false;
+  climb<2>(problem, w, Twist<2>::Zero(), std::numeric_limits<double>::infinity(), 1e-6, pulled);
+  if (separate(problem, w, force_cap, pulled, point)) return false;
   if (lower_bound(point) > force_cap * force_cap) return false;
-  Point<2, Wide> wide(grasp.size);
-  const bool holdable = decide(widened(grasp), w, force_cap, wide);
+  Point<2, Wide> wide(problem.size);
+  const bool holdable = decide(Widened<2>(problem).cones(), w, force_cap, wide);
   if (holdable)
-    round_to(grasp, w, wide, point);
+    round_to(problem, w, wide, point);
   else
-    evaluate<2, double>(grasp, w, wide.y.cast<double>(), point);
+    evaluate<2, double>(problem, w, wide.y.cast<double>(), point);
   return holdable;
 }
 

@@ -48,11 +48,16 @@ void evaluate_space(const Cones<3, T>& cones, const Screw<3, T>& w, const Screw<
     const L beside = squared * over;
     const L along = (zn + c.mu * beside) * c.edge;
     L within = zn;
-    if constexpr (limited) within = zn < c.lo ? c.lo : zn > c.hi ? c.hi : zn;
+    L lo{}, hi{};
+    if constexpr (limited) {
+      lo = c.lo * cones.per_weight;
+      hi = c.hi * cones.per_weight;
+      within = zn < lo ? lo : zn > hi ? hi : zn;
+    }
     const auto inside = beside < c.mu * within;
     L n = inside ? zn : along;
     if constexpr (limited)
-      n = n < c.lo ? c.lo : n > c.hi ? c.hi : n;
+      n = n < lo ? lo : n > hi ? hi : n;
     else
       n = n > zero ? n : zero;
     const L kept = inside ? one : c.mu * n * over;  // of the tangential part
@@ -92,7 +97,8 @@ Square<3, T> curvature_space(const Cones<3, T>& cones, const Point<3, T>& point)
     const L over = at.over, most = c.mu * n;
     const auto inside = (za * za + zb * zb + zs * zs) * over < most;
     L free = n > zero ? one : zero;  // neither at its least nor at its greatest
-    if constexpr (limited) free = n > c.lo ? (n < c.hi ? one : zero) : zero;
+    if constexpr (limited)
+      free = n > L(c.lo * cones.per_weight) ? (n < L(c.hi * cones.per_weight) ? one : zero) : zero;
     const L kappa = inside ? one : most * over;
     const L edge = free * c.edge;
     L nn = edge - kappa, nd = edge * c.mu, dd = edge * c.mu * c.mu - kappa;
@@ -183,7 +189,7 @@ void round_to(const Cones<3>& cones, const Wrench<3>& w, const Point<3, Wide>& w
   }
   // The reported y is the rounded one, and so is its proof.
   Point<3, Wide> proof(cones.size);
-  evaluate<3, Wide>(widened(cones), w.cast<Wide>(), point.y.cast<Wide>(), proof);
+  evaluate<3, Wide>(Widened<3>(cones).cones(), w.cast<Wide>(), point.y.cast<Wide>(), proof);
   point.value = static_cast<double>(proof.value);
 }
 
@@ -321,33 +327,34 @@ T quadratic(const Square<3, T>& M, const Screw<3, T>& x) {
 }
 
 /// A few steps in wide numbers.
-bool polish(const Cones<3>& grasp, const Wrench<3>& w, double /*tolerance*/, Point<3>& point) {
-  Point<3, Wide> wide(grasp.size);
+bool polish(const Cones<3>& cones, const Wrench<3>& w, double /*tolerance*/, Point<3>& point) {
+  const Widened<3> wide_cones(cones);
+  Point<3, Wide> wide(cones.size);
   wide.y = point.y.cast<Wide>();
-  if (!finish(widened(grasp), w.cast<Wide>(), wide)) return false;
-  round_to(grasp, w, wide, point);
+  if (!finish(wide_cones.cones(), w.cast<Wide>(), wide)) return false;
+  round_to(cones, w, wide, point);
   return true;
 }
 
 template <>
-Twist<3> cold_start<3>(const ScaledGrasp<3>& grasp, const Wrench<3>& w) {
-  return grasp.inverse * w;
+Twist<3> cold_start<3>(const Problem<3>& problem, const Wrench<3>& w) {
+  return problem.hand.inverse * w;
 }
 
 namespace {
 
 /// Towards point.y from what can be balanced to w, as a proof that nothing holds.
-bool sharpen(const ScaledGrasp<3>& grasp, const Wrench<3>& w, double force_cap, Point<3>& point) {
+bool sharpen(const Problem<3>& problem, const Wrench<3>& w, double force_cap, Point<3>& point) {
   // A weak pull towards y = 0 gives the direction, but for what else y has to do. A pull that is
   // ten times weaker makes only the direction ten times longer.
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Point<3> pulled(grasp.size);
-  climb<3>(grasp, w, Twist<3>::Zero(), infinity, 1e-7, pulled);
+  Point<3> pulled(problem.size);
+  climb<3>(problem, w, Twist<3>::Zero(), infinity, 1e-7, pulled);
   const Twist<3> first = pulled.y;
-  climb<3>(grasp, w, Twist<3>(10 * first), infinity, 1e-8, pulled);
+  climb<3>(problem, w, Twist<3>(10 * first), infinity, 1e-8, pulled);
   for (const Twist<3>& y : {Twist<3>(pulled.y - first), pulled.y}) {
     const double all_of_it = length<3, double>(y);
-    if (!(all_of_it > 0) || !prove_along<double>(grasp, w, y / all_of_it, force_cap, pulled))
+    if (!(all_of_it > 0) || !prove_along<double>(problem, w, y / all_of_it, force_cap, pulled))
       continue;
     point = pulled;
     return true;
@@ -356,20 +363,20 @@ bool sharpen(const ScaledGrasp<3>& grasp, const Wrench<3>& w, double force_cap, 
 }
 
 /// A proof that a neighbour cannot be held is too long to start from.
-Twist<3> start_from(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start) {
-  return span(start) < 1e8 ? start : cold_start<3>(grasp, w);
+Twist<3> start_from(const Problem<3>& problem, const Wrench<3>& w, const Twist<3>& start) {
+  return span(start) < 1e8 ? start : cold_start<3>(problem, w);
 }
 
 }  // namespace
 
-bool approach(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
+bool approach(const Problem<3>& problem, const Wrench<3>& w, const Twist<3>& start,
               double force_cap, Point<3>& point) {
-  if (climb<3>(grasp, w, start_from(grasp, w, start), force_cap, 0, point, true)) {
+  if (climb<3>(problem, w, start_from(problem, w, start), force_cap, 0, point, true)) {
     if (span(point.y) < 1e4 * (1 + point.value)) return true;
     // Rounding of a load at the border of what can be held may ask for a very long y.
     constexpr double rho = 1e-13;
-    Point<3> pulled(grasp.size);
-    climb<3>(grasp, w, cold_start<3>(grasp, w), std::numeric_limits<double>::infinity(), rho,
+    Point<3> pulled(problem.size);
+    climb<3>(problem, w, cold_start<3>(problem, w), std::numeric_limits<double>::infinity(), rho,
              pulled);
     pulled.residual += rho * pulled.y;
     if (size<3, double>(pulled.residual) <= 0.4 * delta) {
@@ -379,22 +386,22 @@ bool approach(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& s
     }
     return true;
   }
-  sharpen(grasp, w, force_cap, point);
+  sharpen(problem, w, force_cap, point);
   return false;
 }
 
 template <>
-bool maximise<3>(const ScaledGrasp<3>& grasp, const Wrench<3>& w, const Twist<3>& start,
+bool maximise<3>(const Problem<3>& problem, const Wrench<3>& w, const Twist<3>& start,
                  double force_cap, Point<3>& point) {
-  if (climb<3>(grasp, w, start_from(grasp, w, start), force_cap, 0, point)) return true;
-  if (sharpen(grasp, w, force_cap, point)) return false;
+  if (climb<3>(problem, w, start_from(problem, w, start), force_cap, 0, point)) return true;
+  if (sharpen(problem, w, force_cap, point)) return false;
   if (lower_bound(point) > force_cap * force_cap) return false;
-  Point<3, Wide> wide(grasp.size);
-  const bool holdable = decide(widened(grasp), w.cast<Wide>(), force_cap, wide);
+  Point<3, Wide> wide(problem.size);
+  const bool holdable = decide(Widened<3>(problem).cones(), w.cast<Wide>(), force_cap, wide);
   if (holdable)
-    round_to(grasp, w, wide, point);
+    round_to(problem, w, wide, point);
   else
-    evaluate<3, double>(grasp, w, wide.y.cast<double>(), point);
+    evaluate<3, double>(problem, w, wide.y.cast<double>(), point);
   return holdable;
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "files/value.hpp"
-#include "poise/object.hpp"
+#include "poise/wrench.hpp"
 
 namespace poise {
 

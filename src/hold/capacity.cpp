@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "hold/solve.hpp"
 
 namespace poise {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double delta = 1e-12;  // the balance tolerance
 constexpr double wanted = 1e-7;  // between what is held and what is proven
 constexpr double most_friction = 1e6;
 constexpr int most_probes = 200;
@@ -40,9 +42,9 @@ Slide slide(const Contact<3>& contact, const Twist<3>& y) {
 }
 
 template <int Dim>
-std::vector<Slide> slides(const Grasp<Dim>& grasp, const Twist<Dim>& y) {
+std::vector<Slide> slides(const Hand<Dim>& hand, const Twist<Dim>& y) {
   std::vector<Slide> result;
-  for (const Contact<Dim>& contact : grasp.contacts()) result.push_back(slide(contact, y));
+  for (const Contact<Dim>& contact : hand.contacts()) result.push_back(slide(contact, y));
   return result;
 }
 
@@ -52,11 +54,11 @@ struct Power {
 };
 
 template <int Dim>
-Power power(const Grasp<Dim>& grasp, const std::vector<Slide>& slides, double factor) {
+Power power(const Hand<Dim>& hand, const std::vector<Slide>& slides, double factor) {
   Power power;
   Real squared = 0;
   for (std::size_t i = 0; i < slides.size(); ++i) {
-    const Contact<Dim>& contact = grasp.contacts()[i];
+    const Contact<Dim>& contact = hand.contacts()[i];
     const Slide& z = slides[i];
     const Real mu = Real{factor} * contact.friction, along = z.power(mu);
     if (std::isfinite(contact.max_normal)) {
@@ -74,18 +76,40 @@ Power power(const Grasp<Dim>& grasp, const std::vector<Slide>& slides, double fa
   return power;
 }
 
-/// What one newton of weight does against y at least, if the balance is off by the tolerance.
+/// What is asked: a weight through the load's com, in a posture. Equation (8) of docs/theory.md.
 template <int Dim>
-Real driven(const Grasp<Dim>& grasp, const Vector<Dim>& up, const Twist<Dim>& y) {
-  Eigen::Matrix<Real, Dim, 1> v = y.template head<Dim>().template cast<Real>();  // of the com
-  const Eigen::Matrix<Real, Dim, 1> com = grasp.object().com.template cast<Real>();
-  if constexpr (Dim == 2)
-    v += y[2] * Eigen::Matrix<Real, 2, 1>(-com.y(), com.x());
-  else
-    v += y.template tail<3>().template cast<Real>().cross(com);
-  const Real omega = y.template tail<wrench_size<Dim> - Dim>().norm();
-  return v.dot(up.template cast<Real>()) - delta * (v.norm() + grasp.radius() * omega);
-}
+struct Question {
+  const Hand<Dim>& hand;
+  const Load<Dim>& load;
+  const Vector<Dim>& up;
+  const HoldSettings& settings;
+
+  /// What one newton of weight does against y at least, if the balance is off by the tolerance.
+  Real driven(const Twist<Dim>& y) const {
+    Eigen::Matrix<Real, Dim, 1> v = y.template head<Dim>().template cast<Real>();  // of the com
+    const Eigen::Matrix<Real, Dim, 1> com = load.com.template cast<Real>();
+    if constexpr (Dim == 2)
+      v += y[2] * Eigen::Matrix<Real, 2, 1>(-com.y(), com.x());
+    else
+      v += y.template tail<3>().template cast<Real>().cross(com);
+    const Real omega = y.template tail<wrench_size<Dim> - Dim>().norm();
+    return v.dot(up.template cast<Real>()) - dual::delta * (v.norm() + hand.radius() * omega);
+  }
+  /// The hold of another weight [N] by the same contacts, or by changed ones.
+  Hold<Dim> hold(const ScaledHand<Dim>& contacts, double weight) const {
+    const Load<Dim> probed{.weight = weight, .com = load.com};
+    return solve<Dim>(dual::Problem<Dim>(contacts, weight), probed, up, settings);
+  }
+  /// With a hold that was found.
+  Posture<Dim> posture(Hold<Dim> hold, double weight) const {
+    Posture<Dim> posture{.up = up, .holds = {std::move(hold)}};
+    if (!posture.holdable()) return posture;
+    const Load<Dim> probed{.weight = weight, .com = load.com};
+    posture.manner = poise::manner(hand, probed, up, posture.hold());
+    posture.grip_force = poise::grip_force(hand, posture.hold());
+    return posture;
+  }
+};
 
 /// y as a bound on the weight: weight * gain <= fixed.
 struct Cut {
@@ -93,19 +117,18 @@ struct Cut {
 };
 
 template <int Dim>
-Cut cut_by(const Grasp<Dim>& grasp, const Vector<Dim>& up, const Twist<Dim>& y, double force_cap) {
-  const Power most = power(grasp, slides(grasp, y), 1);
-  return {driven(grasp, up, y) - force_cap * most.growing, most.fixed};
+Cut cut_by(const Question<Dim>& asked, const Twist<Dim>& y) {
+  const Power most = power(asked.hand, slides(asked.hand, y), 1);
+  return {asked.driven(y) - asked.settings.force_cap * most.growing, most.fixed};
 }
 
 /// The search for both ends: every y that proves something cuts the range.
 template <int Dim>
 class WeightSearch {
  public:
-  WeightSearch(const Grasp<Dim>& grasp, const Vector<Dim>& up, const HoldSettings& settings)
-      : grasp_(grasp), up_(up), settings_(settings) {
+  explicit WeightSearch(const Question<Dim>& asked) : asked_(asked) {
     range_.greatest.bound = infinity;
-    for (const Contact<Dim>& contact : grasp.contacts()) {
+    for (const Contact<Dim>& contact : asked.hand.contacts()) {
       pressed_ = pressed_ || contact.min_normal > 0;
       if (std::isfinite(contact.max_normal)) strength_ += contact.max_normal;
     }
@@ -115,7 +138,10 @@ class WeightSearch {
     bound_greatest();
     range_.holdable = !pressed_ || find_least();
     if (range_.holdable) find_greatest();
-    return range_;
+    complete(range_.least, least_);
+    complete(range_.greatest, greatest_);
+    if (range_.holdable && range_.greatest.weight < infinity) find_deciding();
+    return std::move(range_);
   }
 
  private:
@@ -123,58 +149,59 @@ class WeightSearch {
     const double size = y.template lpNorm<Eigen::Infinity>();
     if (!(size > 0)) return;
     y /= size;
-    const Cut by = cut_by(grasp_, up_, y, settings_.force_cap);
-    const auto weight = static_cast<double>(by.fixed / by.gain);
-    WeightEnd<Dim>&least = range_.least, &greatest = range_.greatest;
-    if (by.gain >= 0 && weight < greatest.bound) {
+    const Cut row = cut_by(asked_, y);
+    const auto weight = static_cast<double>(row.fixed / row.gain);
+    WeightEnd<Dim>& least = range_.least;
+    WeightEnd<Dim>& greatest = range_.greatest;
+    if (row.gain >= 0 && weight < greatest.bound) {
       greatest.bound = std::max(weight, 0.0);
       greatest.dual = y;
-    } else if (by.gain < 0 && weight > least.bound && !from_zero_) {
+    } else if (row.gain < 0 && weight > least.bound && !from_zero_) {
       least.bound = weight;
       least.dual = y;
     }
   }
 
   bool empty() const {
-    return range_.greatest.bound <= delta * strength_ || range_.greatest.bound < range_.least.bound;
+    return range_.greatest.bound <= dual::delta * strength_ || range_.greatest.bound < range_.least.bound;
   }
 
-  bool probe(WeightEnd<Dim>& end, double weight) {
-    end.hold = hold<Dim>(with_weight(grasp_, weight), up_, settings_);
-    if (end.hold.holdable)
+  bool probe(WeightEnd<Dim>& end, Hold<Dim>& hold, double weight) {
+    hold = asked_.hold(asked_.hand.scaled(), weight);
+    if (hold.holdable)
       end.weight = weight;
     else
-      cut(end.hold.dual);
-    return end.hold.holdable;
+      cut(hold.dual);
+    return hold.holdable;
   }
 
   void bound_greatest() {
-    WeightEnd<Dim>& end = range_.greatest;
-    end.hold = hold<Dim>(without_limits(grasp_), up_, settings_);
-    if (end.hold.holdable) {
-      end.weight = infinity;
+    greatest_ = asked_.hold(asked_.hand.scaled().without_limits(), asked_.load.weight);
+    if (greatest_.holdable) {
+      range_.greatest.weight = infinity;
       return;
     }
-    cut(end.hold.dual);
+    cut(greatest_.dual);
     Twist<Dim> y = Twist<Dim>::Zero();
-    y.template head<Dim>() = up_;
+    y.template head<Dim>() = asked_.up;
     cut(y);
   }
 
   bool find_least() {
     WeightEnd<Dim>& end = range_.least;
-    end.hold = hold<Dim>(grasp_, Wrench<Dim>(Wrench<Dim>::Zero()), Twist<Dim>::Zero(), settings_);
-    from_zero_ = end.hold.holdable;
+    least_ = poise::hold<Dim>(asked_.hand, Wrench<Dim>(Wrench<Dim>::Zero()), asked_.load.weight,
+                              Twist<Dim>::Zero(), asked_.settings);
+    from_zero_ = least_.holdable;
     if (from_zero_) {
       end.bound = 0;
       end.dual.setZero();
       return true;
     }
-    cut(end.hold.dual);
+    cut(least_.dual);
     double step = wanted;
     for (int k = 0; k < most_probes && end.bound > 0 && step < 1 && !empty(); ++k) {
       const double weight = end.bound * (1 + step);
-      if (probe(end, weight)) return true;
+      if (probe(end, least_, weight)) return true;
       if (end.bound <= weight) step *= 8;
     }
     return false;
@@ -188,42 +215,66 @@ class WeightSearch {
       range_.holdable = range_.least.weight > 0;
       if (!range_.holdable) return;
       end.weight = range_.least.weight;
-      end.hold = range_.least.hold;
+      greatest_ = least_;
     };
     if (end.bound == infinity) {  // rounding hid it
-      if (!probe(end, grasp_.object().weight)) nothing_beside_least();
+      if (!probe(end, greatest_, asked_.load.weight)) nothing_beside_least();
       return;
     }
     double step = wanted;
     for (int k = 0; k < most_probes && step < 1 && !empty(); ++k) {
       const double weight = end.bound * (1 - step);
-      if (probe(end, weight)) return;
+      if (probe(end, greatest_, weight)) return;
       if (end.bound >= weight) step *= 8;
     }
     nothing_beside_least();
   }
 
-  const Grasp<Dim>& grasp_;
-  const Vector<Dim>& up_;
-  const HoldSettings& settings_;
+  /// What is held at an end; where any weight is held, the given one.
+  void complete(WeightEnd<Dim>& end, Hold<Dim>& hold) const {
+    const bool any = end.weight == infinity;
+    end.posture = asked_.posture(std::move(hold), any ? asked_.load.weight : end.weight);
+  }
+
+  /// In every hold of the greatest weight (8) is an equation.
+  void find_deciding() {
+    const Twist<Dim>& y = range_.greatest.dual;
+    const Real gain = cut_by(asked_, y).gain, least = 1e-9 * std::abs(gain);
+    const std::vector<Slide> all = slides(asked_.hand, y);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Contact<Dim>& contact = asked_.hand.contacts()[i];
+      const Real along = all[i].power(contact.friction);
+      const bool pressing = std::isfinite(contact.max_normal) && along > least;
+      range_.deciding.push_back({pressing ? static_cast<double>(along / gain) : 0,
+                                 contact.friction > 0 && all[i].beside > least && along > -least});
+    }
+  }
+
+  const Question<Dim>& asked_;
   bool pressed_{false};    ///< contacts must press even where there is no weight
   bool from_zero_{false};  ///< they can do so without any weight
   double strength_{0};     ///< of all contacts with max_normal [N]
   WeightRange<Dim> range_;
+  Hold<Dim> least_, greatest_;
 };
 
 /// The search for the least friction: every y that proves something raises the bound.
 template <int Dim>
 class FrictionSearch {
  public:
-  FrictionSearch(const Grasp<Dim>& grasp, const Vector<Dim>& up, const HoldSettings& settings)
-      : grasp_(grasp), up_(up), settings_(settings) {
+  explicit FrictionSearch(const Question<Dim>& asked) : asked_(asked) {
     found_.factor = infinity;
   }
 
   LeastFriction<Dim> run() {
     probe(1);
-    if (probe(0)) return found_;
+    if (!probe(0)) narrow();
+    found_.posture = asked_.posture(std::move(hold_), asked_.load.weight);
+    return std::move(found_);
+  }
+
+ private:
+  void narrow() {
     double step = wanted;
     for (int k = 0; k < most_probes && found_.bound < most_friction; ++k) {
       const double bound = found_.bound, gap = found_.factor - bound;
@@ -238,29 +289,28 @@ class FrictionSearch {
         probe(gap < infinity ? bound + gap / 2 : 2 * std::max(bound, 1.0));
       if (found_.bound == bound && found_.factor - bound == gap) break;  // rounding leaves it open
     }
-    return found_;
   }
 
- private:
   bool probe(double factor) {
     if (!(factor < found_.factor)) return true;
-    Hold<Dim> there = hold<Dim>(with_friction(grasp_, factor), up_, settings_);
+    Hold<Dim> there =
+        asked_.hold(asked_.hand.scaled().with_friction(factor), asked_.load.weight);
     if (!there.holdable) {
       cut(there.dual);
       return false;
     }
     found_.factor = factor;
-    found_.hold = std::move(there);
+    hold_ = std::move(there);
     return true;
   }
 
   void cut(Twist<Dim> y) {
     y /= std::max(y.template lpNorm<Eigen::Infinity>(), std::numeric_limits<double>::min());
-    const std::vector<Slide> z = slides(grasp_, y);
-    const Real weight = grasp_.object().weight, needed = weight * driven(grasp_, up_, y);
+    const std::vector<Slide> z = slides(asked_.hand, y);
+    const Real weight = asked_.load.weight, needed = weight * asked_.driven(y);
     const auto proves = [&](double factor) {  // less and less the more friction there is
-      const Power most = power(grasp_, z, factor);
-      return needed > most.fixed + settings_.force_cap * weight * most.growing;
+      const Power most = power(asked_.hand, z, factor);
+      return needed > most.fixed + asked_.settings.force_cap * weight * most.growing;
     };
     if (!proves(found_.bound)) return;
     double from = found_.bound, to = most_friction;
@@ -273,99 +323,46 @@ class FrictionSearch {
     found_.dual = y;
   }
 
-  const Grasp<Dim>& grasp_;
-  const Vector<Dim>& up_;
-  const HoldSettings& settings_;
+  const Question<Dim>& asked_;
   LeastFriction<Dim> found_;
+  Hold<Dim> hold_;
 };
-
-template <int Dim, class Change>
-Grasp<Dim> changed(const Grasp<Dim>& grasp, const Change& change) {
-  Object<Dim> object = grasp.object();
-  std::vector<Contact<Dim>> contacts = grasp.contacts();
-  change(object, contacts);
-  return {object, std::move(contacts)};
-}
 
 }  // namespace
 
 template <int Dim>
-WeightRange<Dim> weight_range(const Grasp<Dim>& grasp, const Vector<Dim>& up,
+WeightRange<Dim> weight_range(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
                               const HoldSettings& settings) {
-  return WeightSearch<Dim>(grasp, up, settings).run();
+  const Question<Dim> asked{hand, load, up, settings};
+  return WeightSearch<Dim>(asked).run();
 }
 
 template <int Dim>
-LeastFriction<Dim> least_friction(const Grasp<Dim>& grasp, const Vector<Dim>& up,
-                                  const HoldSettings& settings) {
-  return FrictionSearch<Dim>(grasp, up, settings).run();
+LeastFriction<Dim> least_friction(const Hand<Dim>& hand, const Load<Dim>& load,
+                                  const Vector<Dim>& up, const HoldSettings& settings) {
+  const Question<Dim> asked{hand, load, up, settings};
+  return FrictionSearch<Dim>(asked).run();
 }
 
 template <int Dim>
-std::vector<Deciding> deciding(const Grasp<Dim>& grasp, const Vector<Dim>& up,
-                               const Twist<Dim>& dual, const HoldSettings& settings) {
-  const Real gain = cut_by(grasp, up, dual, settings.force_cap).gain;
-  const Real least = 1e-9 * std::abs(gain);
-  std::vector<Deciding> result;
-  const std::vector<Slide> all = slides(grasp, dual);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Contact<Dim>& contact = grasp.contacts()[i];
-    const Real along = all[i].power(contact.friction);
-    const bool pressing = std::isfinite(contact.max_normal) && along > least;
-    result.push_back({pressing ? static_cast<double>(along / gain) : 0,
-                      contact.friction > 0 && all[i].beside > least && along > -least});
-  }
-  return result;
-}
-
-template <int Dim>
-Capacity<Dim> capacity(const Grasp<Dim>& grasp, const Vector<Dim>& up, double safety,
-                       const HoldSettings& settings) {
+Capacity<Dim> capacity(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
+                       double safety, const HoldSettings& settings) {
   if (!(safety >= 1) || !std::isfinite(safety)) throw InvalidGrasp("safety", "must be at least 1");
-  return {weight_range(grasp, up, settings), least_friction(grasp, up, settings),
-          hold<Dim>(with_friction(grasp, 1 / safety), up, settings)};
+  const Question<Dim> asked{hand, load, up, settings};
+  Hold<Dim> safe = asked.hold(hand.scaled().with_friction(1 / safety), load.weight);
+  return {weight_range(hand, load, up, settings), least_friction(hand, load, up, settings),
+          asked.posture(std::move(safe), load.weight)};
 }
 
-template <int Dim>
-Grasp<Dim> with_weight(const Grasp<Dim>& grasp, double weight) {
-  return changed(grasp, [&](Object<Dim>& object, auto&) { object.weight = weight; });
-}
-
-template <int Dim>
-Grasp<Dim> with_friction(const Grasp<Dim>& grasp, double factor) {
-  return changed(grasp, [&](auto&, std::vector<Contact<Dim>>& contacts) {
-    for (Contact<Dim>& contact : contacts) {
-      contact.friction *= factor;
-      contact.torsion *= factor;
-    }
-  });
-}
-
-template <int Dim>
-Grasp<Dim> without_limits(const Grasp<Dim>& grasp) {
-  return changed(grasp, [&](auto&, std::vector<Contact<Dim>>& contacts) {
-    for (Contact<Dim>& contact : contacts) {
-      contact.min_normal = 0;
-      if (std::isfinite(contact.max_normal)) contact.max_normal = 0;
-    }
-  });
-}
-
-template WeightRange<2> weight_range<2>(const Grasp<2>&, const Vector<2>&, const HoldSettings&);
-template WeightRange<3> weight_range<3>(const Grasp<3>&, const Vector<3>&, const HoldSettings&);
-template LeastFriction<2> least_friction<2>(const Grasp<2>&, const Vector<2>&, const HoldSettings&);
-template LeastFriction<3> least_friction<3>(const Grasp<3>&, const Vector<3>&, const HoldSettings&);
-template std::vector<Deciding> deciding<2>(const Grasp<2>&, const Vector<2>&, const Twist<2>&,
-                                           const HoldSettings&);
-template std::vector<Deciding> deciding<3>(const Grasp<3>&, const Vector<3>&, const Twist<3>&,
-                                           const HoldSettings&);
-template Capacity<2> capacity<2>(const Grasp<2>&, const Vector<2>&, double, const HoldSettings&);
-template Capacity<3> capacity<3>(const Grasp<3>&, const Vector<3>&, double, const HoldSettings&);
-template Grasp<2> with_weight<2>(const Grasp<2>&, double);
-template Grasp<3> with_weight<3>(const Grasp<3>&, double);
-template Grasp<2> with_friction<2>(const Grasp<2>&, double);
-template Grasp<3> with_friction<3>(const Grasp<3>&, double);
-template Grasp<2> without_limits<2>(const Grasp<2>&);
-template Grasp<3> without_limits<3>(const Grasp<3>&);
+#define POISE_INSTANTIATE(Dim)                                                                      \
+  template WeightRange<Dim> weight_range(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,    \
+                                         const HoldSettings&);                                      \
+  template LeastFriction<Dim> least_friction(const Hand<Dim>&, const Load<Dim>&,                    \
+                                             const Vector<Dim>&, const HoldSettings&);              \
+  template Capacity<Dim> capacity(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&, double,   \
+                                  const HoldSettings&);
+POISE_INSTANTIATE(2)
+POISE_INSTANTIATE(3)
+#undef POISE_INSTANTIATE
 
 }  // namespace poise

@@ -13,113 +13,115 @@
 namespace poise {
 namespace {
 
-/// A load in the solver's units, about the centre of mass.
-Wrench<2> scaled_load(const Grasp<2>& grasp, const Wrench<2>& load) {
-  const Vector<2>& com = grasp.object().com;
-  const double moment = load[2] - (com.x() * load[1] - com.y() * load[0]);
-  return Wrench<2>(load[0], load[1], moment / grasp.scaled().length) * grasp.scaled().per_weight;
-}
-
-/// z of a contact: its velocity, in the contact frame, by a twist about the com.
-Vector<2> contact_velocity(const Grasp<2>& grasp, std::size_t i, const Twist<2>& scaled) {
-  const ContactLane<2>& c = grasp.scaled().lanes[i / lane_size];
+/// z of a contact: its velocity, in the contact frame, by a twist about the center.
+Vector<2> contact_velocity(const ScaledHand<2>& hand, std::size_t i, const Twist<2>& scaled) {
+  const ContactLane<2>& c = hand.lanes[i / lane_size];
   const std::size_t k = i % lane_size;
   const double ux = scaled[0] + scaled[2] * c.jx[k], uy = scaled[1] + scaled[2] * c.jy[k];
   return {c.nx[k] * ux + c.ny[k] * uy, c.nx[k] * uy - c.ny[k] * ux};
 }
 
-/// The moments, about the origin, of forces (the top rows) that act at the com.
-Eigen::RowVector2d moment_of_com(const Vector<2>& com, const Eigen::Matrix<double, 3, 2>& forces) {
-  return com.x() * forces.row(1) - com.y() * forces.row(0);
+/// The moments, about the origin, of forces (the top rows) that act at a point.
+Eigen::RowVector2d moment_of_force(const Vector<2>& at, const Eigen::Matrix<double, 3, 2>& forces) {
+  return at.x() * forces.row(1) - at.y() * forces.row(0);
 }
-Eigen::Matrix<double, 3, 4> moment_of_com(const Vector<3>& com,
+Eigen::Matrix<double, 3, 4> moment_of_force(const Vector<3>& at,
                                           const Eigen::Matrix<double, 6, 4>& forces) {
   Eigen::Matrix<double, 3, 4> moments;
-  for (int k = 0; k < 4; ++k) moments.col(k) = com.cross(forces.col(k).head<3>());
+  for (int k = 0; k < 4; ++k) moments.col(k) = at.cross(forces.col(k).head<3>());
   return moments;
-}
-
-Hold<2> solve(const Grasp<2>& grasp, const Wrench<2>& w, const Twist<2>& start,
-              const HoldSettings& settings) {
-  const double weight = grasp.object().weight;
-  return solve(grasp, w, start, settings,
-               [&](const ContactLane<2>& c, const dual::LaneForces<2, double>& lane,
-                   ContactForce<2>* forces, std::size_t count) {
-                 const Lane n = lane.f[0], t = lane.f[1];
-                 const Lane normal = n * c.unit, tangential = t * c.unit;
-                 const LaneStates states(normal, dual::magnitude(t) / (c.mu * n), weight);
-                 for (std::size_t k = 0; k < count; ++k)
-                   forces[k] = {normal[k], tangential[k], states.friction_used[k], states[k],
-                                ForceLimit::none};
-               });
 }
 
 }  // namespace
 
-template <>
-Hold<2> hold(const Grasp<2>& grasp, const Vector<2>& up, const HoldSettings& settings) {
-  if (!(std::abs(up.squaredNorm() - 1) <= 1e-6)) throw InvalidGrasp("up", "must be a unit vector");
-  const Wrench<2> w(up.x(), up.y(), 0);
-  return solve(grasp, w, dual::cold_start<2>(grasp.scaled(), w), settings);
+template <int Dim>
+Hold<Dim> hold(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
+               const HoldSettings& settings) {
+  return solve<Dim>(dual::Problem<Dim>(hand.scaled(), load.weight), load, up, settings);
 }
 
-template <>
-Hold<2> hold(const Grasp<2>& grasp, const Wrench<2>& load, const Twist<2>& y,
-             const HoldSettings& settings) {
+template <int Dim>
+Hold<Dim> hold(const Grasp<Dim>& grasp, const Vector<Dim>& up, const HoldSettings& settings) {
+  Hold<Dim> most = hold(grasp, grasp.loads().front(), up, settings);
+  for (std::size_t k = 1; k < grasp.loads().size() && most.holdable; ++k) {
+    Hold<Dim> other = hold(grasp, grasp.loads()[k], up, settings);
+    if (!other.holdable || other.effort > most.effort) most = std::move(other);
+  }
+  return most;
+}
+
+template <int Dim>
+Hold<Dim> hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight, const Twist<Dim>& y,
+               const HoldSettings& settings) {
   if (!load.allFinite() || !y.allFinite())
     throw InvalidGrasp("load", "must be finite, like the twist to start at");
-  const Wrench<2> w = scaled_load(grasp, load);
-  const ScaledGrasp<2>& scaled = grasp.scaled();
-  return solve(grasp, w,
-               dual::in_closed_form(scaled) ? dual::cold_start<2>(scaled, w) : about_com(grasp, y),
-               settings);
+  if (!(weight > 0)) throw InvalidGrasp("weight", "must be above 0");
+  const dual::Problem<Dim> problem(hand.scaled(), weight);
+  const Wrench<Dim> w = scaled_wrench(problem.hand, weight, load);
+  bool cold = false;
+  if constexpr (Dim == 2) cold = dual::in_closed_form(problem);
+  return solve<Dim>(problem, w,
+                    cold ? dual::cold_start<Dim>(problem, w) : about_center(problem.hand, weight, y),
+                    settings);
 }
 
-template <>
-std::vector<FingerForce<2>> finger_forces(const Grasp<2>& grasp, const Hold<2>& hold) {
-  std::vector<FingerForce<2>> fingers(hold.holdable ? grasp.fingers().size() : 0);
+template <int Dim>
+double phi(const Hand<Dim>& hand, const Twist<Dim>& y) {
+  const dual::Problem<Dim> problem(hand.scaled(), 1);  // in newtons
+  dual::Point<Dim> point(problem.size);
+  dual::evaluate<Dim, double>(problem, Wrench<Dim>::Zero(), about_center(problem.hand, 1, y), point);
+  return -point.value;
+}
+
+template <int Dim>
+double bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Dim>& y) {
+  return 2 * (y.dot(load) - phi(hand, y));
+}
+
+Vector<2> force_vector(const Contact<2>& contact, const ContactForce<2>& force) {
+  const Vector<2>& n = contact.normal;
+  return force.normal * n + force.tangential * Vector<2>(-n.y(), n.x());
+}
+
+Vector<3> force_vector(const Contact<3>& contact, const ContactForce<3>& force) {
+  return force.normal * contact.normal + force.tangential;
+}
+
+template <int Dim>
+std::vector<FingerForce<Dim>> finger_forces(const Hand<Dim>& hand, const Hold<Dim>& hold) {
+  std::vector<FingerForce<Dim>> fingers(hold.holdable ? hand.fingers().size() : 0);
   for (std::size_t i = 0; i < hold.forces.size(); ++i) {
-    const Vector<2>& n = grasp.contacts()[i].normal;
-    FingerForce<2>& finger = fingers[grasp.finger_of(i)];
+    FingerForce<Dim>& finger = fingers[hand.finger_of(i)];
     finger.normal += hold.forces[i].normal;
-    finger.force +=
-        hold.forces[i].normal * n + hold.forces[i].tangential * Vector<2>(-n.y(), n.x());
+    finger.force += force_vector(hand.contacts()[i], hold.forces[i]);
   }
   return fingers;
 }
 
 template <int Dim>
-double grip_force(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
+double grip_force(const Hand<Dim>& hand, const Hold<Dim>& hold) {
   double most = 0;
-  for (const FingerForce<Dim>& finger : finger_forces(grasp, hold))
+  for (const FingerForce<Dim>& finger : finger_forces(hand, hold))
     most = std::max(most, finger.normal);
   return most;
 }
 
 template <int Dim>
-bool all_loaded(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
-  const auto fingers = finger_forces(grasp, hold);
+bool all_loaded(const Hand<Dim>& hand, const Hold<Dim>& hold, double weight) {
+  const auto fingers = finger_forces(hand, hold);
   return std::all_of(fingers.begin(), fingers.end(), [&](const FingerForce<Dim>& finger) {
-    return finger.normal > at_limit * grasp.object().weight;
+    return finger.normal > at_limit * weight;
   });
 }
 
-Manner manner(const Grasp<2>& grasp, const Vector<2>& up, const Hold<2>& hold) {
-  if (grasp.fingers().size() == 1 || !all_loaded(grasp, hold)) return Manner::resting;
-  const Interval wedge = cradled_wedge(grasp);
-  const double middle = (wedge.from + wedge.to) / 2, half = (wedge.to - wedge.from) / 2;
-  const double off = std::abs(std::remainder(angle_of(up) - middle, 2 * 3.141592653589793));
-  return off < half - 1e-12 ? Manner::cradled : Manner::pinched;
-}
-
-std::string reason(const Grasp<2>& grasp, const Hold<2>& hold) {
+std::string reason(const Hand<2>& hand, const Hold<2>& hold) {
   if (hold.holdable) return {};
   if (!hold.proven)
     return "it is within rounding of the limit of holding, where neither forces nor a proof that "
            "there are none were found";
-  // -y is a motion that gravity drives; about the com, in radii, to tell a turn from a slide.
-  const Twist<2> motion = -about_com(grasp, hold.dual);
-  const Vector<2>& com = grasp.object().com;
+  // -y is a motion that gravity drives; about the center, in radii, to tell a turn from a slide.
+  const ScaledHand<2>& scaled = hand.scaled();
+  const Twist<2> y = about_center(scaled, 1, hold.dual), motion = -y;
   std::ostringstream words;
   words.precision(4);
   words << "it would ";
@@ -129,23 +131,23 @@ std::string reason(const Grasp<2>& grasp, const Hold<2>& hold) {
   } else {
     // Where v + omega x r vanishes.
     const Vector<2> centre =
-        com + grasp.scaled().length / motion[2] * Vector<2>(-motion[1], motion[0]);
+        scaled.center + scaled.length / motion[2] * Vector<2>(-motion[1], motion[0]);
     words << "turn " << (motion[2] > 0 ? "counter-clockwise" : "clockwise") << " about ";
-    std::size_t touched = grasp.contacts().size();
-    for (std::size_t i = 0; i < grasp.contacts().size(); ++i)
-      if ((grasp.contacts()[i].position - centre).norm() <= 1e-6 * grasp.radius()) touched = i;
-    if (touched < grasp.contacts().size())
+    std::size_t touched = hand.contacts().size();
+    for (std::size_t i = 0; i < hand.contacts().size(); ++i)
+      if ((hand.contacts()[i].position - centre).norm() <= 1e-6 * hand.radius()) touched = i;
+    if (touched < hand.contacts().size())
       words << "contact " << touched;
     else
       words << "(" << rounded(centre.x()) << ", " << rounded(centre.y()) << ") m";
   }
   // Contacts at a limit of their normal force do oppose it, or even push.
   bool weak = false, strong = false;
-  const ScaledGrasp<2>& scaled = grasp.scaled();
+  const Cones<2> in_newtons = scaled.cones(1);
   for (std::size_t i = 0; i < scaled.size; ++i) {
-    const Contact<2>& contact = grasp.contacts()[i];
-    const Vector<2> z = contact_velocity(grasp, i, about_com(grasp, hold.dual));
-    const dual::Face<> face = dual::face<double>(scaled, i, z);
+    const Contact<2>& contact = hand.contacts()[i];
+    const Vector<2> z = contact_velocity(scaled, i, y);
+    const dual::Face<> face = dual::face<double>(in_newtons, i, z);
     weak = weak || (face.at_hi && contact.max_normal > 0);
     strong = strong || (face.at_lo && contact.min_normal > 0);
   }
@@ -156,15 +158,15 @@ std::string reason(const Grasp<2>& grasp, const Hold<2>& hold) {
 }
 
 template <int Dim>
-bool force_closure(const Grasp<Dim>& grasp) {
+bool force_closure(const Hand<Dim>& hand) {
   // The cone of balanced wrenches is everything if it contains, with a wrench from its inside, also
   // the opposite one, and if it has an inside.
   constexpr int rows = wrench_size<Dim>;
-  std::vector<Contact<Dim>> contacts = grasp.contacts();
+  std::vector<Contact<Dim>> contacts = hand.contacts();
   Wrench<Dim> inside = Wrench<Dim>::Zero();
   Eigen::Matrix<double, rows, rows> span = Eigen::Matrix<double, rows, rows>::Zero();
-  const auto G = grasp_matrix(grasp);
-  const double W = grasp.object().weight, L = grasp.scaled().length;
+  const auto G = grasp_matrix(hand);
+  const double L = hand.scaled().length;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Contact<Dim>& contact = contacts[i];
     contact.min_normal = 0;
@@ -173,21 +175,19 @@ bool force_closure(const Grasp<Dim>& grasp) {
     constexpr int width = contact_size<Dim>;
     const int first = width * static_cast<int>(i);
     const int forces = contact.friction > 0 ? contact.torsion > 0 ? width : Dim : 1;
-    inside += W * G.col(first);
+    inside += G.col(first);
     Eigen::Matrix<double, rows, width> columns = G.template middleCols<width>(first);
     if (contact.torsion > 0) columns.col(width - 1) *= contact.torsion;
-    columns.bottomRows(rows - Dim) -= moment_of_com(grasp.object().com, columns);
+    columns.bottomRows(rows - Dim) -= moment_of_force(hand.center(), columns);
     columns.bottomRows(rows - Dim) /= L;
     span += columns.leftCols(forces) * columns.leftCols(forces).transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, rows, rows>> eigen(span);
   if (eigen.eigenvalues()[0] <= 1e-12 * eigen.eigenvalues()[rows - 1]) return false;
-  const Grasp<Dim> cones(grasp.object(), std::move(contacts));
-  return hold<Dim>(cones, -inside, Twist<Dim>::Zero()).holdable;
+  const Hand<Dim> cones(std::move(contacts), hand.center());
+  return hold<Dim>(cones, -inside, 1, Twist<Dim>::Zero()).holdable;
 }
 
-template bool force_closure<2>(const Grasp<2>&);
-template bool force_closure<3>(const Grasp<3>&);
 
 const char* to_string(ContactState state) {
   constexpr const char* names[] = {"unloaded", "sticking", "slipping"};
@@ -199,9 +199,20 @@ const char* to_string(ForceLimit limit) {
   return names[static_cast<int>(limit)];
 }
 
-template double grip_force<2>(const Grasp<2>&, const Hold<2>&);
-template double grip_force<3>(const Grasp<3>&, const Hold<3>&);
-template bool all_loaded<2>(const Grasp<2>&, const Hold<2>&);
-template bool all_loaded<3>(const Grasp<3>&, const Hold<3>&);
+#define POISE_INSTANTIATE(Dim)                                                                       \
+  template Hold<Dim> hold(const Grasp<Dim>&, const Vector<Dim>&, const HoldSettings&);               \
+  template Hold<Dim> hold(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,                    \
+                          const HoldSettings&);                                                      \
+  template Hold<Dim> hold(const Hand<Dim>&, const Wrench<Dim>&, double, const Twist<Dim>&,           \
+                          const HoldSettings&);                                                      \
+  template double phi(const Hand<Dim>&, const Twist<Dim>&);                                          \
+  template double bound(const Hand<Dim>&, const Wrench<Dim>&, const Twist<Dim>&);                    \
+  template std::vector<FingerForce<Dim>> finger_forces(const Hand<Dim>&, const Hold<Dim>&);          \
+  template double grip_force(const Hand<Dim>&, const Hold<Dim>&);                                    \
+  template bool all_loaded(const Hand<Dim>&, const Hold<Dim>&, double);                              \
+  template bool force_closure(const Hand<Dim>&);
+POISE_INSTANTIATE(2)
+POISE_INSTANTIATE(3)
+#undef POISE_INSTANTIATE
 
 }  // namespace poise

@@ -2,6 +2,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "poise/posture.hpp"
@@ -57,11 +58,15 @@ Vector<3> nearest_in_hull(const std::vector<Vector<3>>& points) {
 
 // From a com outside the hull all contacts lie on one side. Seen from it, on a screen on that side,
 // straight down is inside the hull of the contacts if no half-plane beside it is empty of them.
-bool cradled(const Grasp<3>& grasp, const Vector<3>& up) {
-  if (!(grasp.radius() > 0)) return false;
+bool cradled(const Hand<3>& hand, const Vector<3>& com, const Vector<3>& up) {
   std::vector<Vector<3>> arms;
-  for (const Contact<3>& contact : grasp.contacts())
-    arms.emplace_back((contact.position - grasp.object().com) / grasp.radius());
+  double radius = 0;
+  for (const Contact<3>& contact : hand.contacts()) {
+    arms.emplace_back(contact.position - com);
+    radius = std::max(radius, arms.back().norm());
+  }
+  if (!(radius > 0)) return false;
+  for (Vector<3>& arm : arms) arm /= radius;
   const Vector<3> side = nearest_in_hull(arms);
   if (!(side.norm() > 1e-9) || !(side.dot(up) < 0)) return false;
   const Vector<3> down = -up / -up.dot(side);
@@ -74,11 +79,10 @@ bool cradled(const Grasp<3>& grasp, const Vector<3>& up) {
   }
   if (angles.empty()) return false;
   std::sort(angles.begin(), angles.end());
-  constexpr double pi = 3.14159265358979323846;
-  double widest = angles.front() + 2 * pi - angles.back();
+  double widest = angles.front() + 2 * std::numbers::pi - angles.back();
   for (std::size_t i = 1; i < angles.size(); ++i)
     widest = std::max(widest, angles[i] - angles[i - 1]);
-  return widest < pi - 1e-9;
+  return widest < std::numbers::pi - 1e-9;
 }
 
 }  // namespace poise

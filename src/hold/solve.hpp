@@ -6,9 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "dual/ascend.hpp"
 #include "dual/dual.hpp"
-#include "poise/hold.hpp"
 #include "dual/twist.hpp"
+#include "poise/hold.hpp"
 
 namespace poise {
 
@@ -30,28 +31,52 @@ struct LaneStates {
   ContactState operator[](std::size_t k) const { return static_cast<ContactState>(state[k]); }
 };
 
-template <int Dim>
-ForceLimit limit_of(const Contact<Dim>& contact, double normal, double near) {
-  if (normal >= contact.max_normal - near) return ForceLimit::max;
-  return contact.min_normal > 0 && normal <= contact.min_normal + near ? ForceLimit::min
-                                                                       : ForceLimit::none;
+/// `least` and `most`: of the normal force.
+inline ForceLimit limit_of(double normal, double least, double most, double near) {
+  if (normal >= most - near) return ForceLimit::max;
+  return least > 0 && normal <= least + near ? ForceLimit::min : ForceLimit::none;
 }
 
 /// For words: without the minus of a rounded zero.
 inline double rounded(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
 
-/// The hold of a load in the solver's units. `write_forces` writes those of one lane in newtons.
-template <int Dim, class Write>
-Hold<Dim> solve(const Grasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>& start,
-                const HoldSettings& settings, const Write& write_forces) {
+/// The forces of one lane of contacts in newtons, without their limits.
+inline void write_forces(const dual::Problem<2>& problem, const ContactLane<2>& c,
+                         const dual::LaneForces<2, double>& lane, ContactForce<2>* forces,
+                         std::size_t count) {
+  const Lane n = lane.f[0], t = lane.f[1], unit = problem.weight * c.root;
+  const Lane normal = n * unit, tangential = t * unit;
+  const LaneStates states(normal, dual::magnitude(t) / (c.mu * n), problem.weight);
+  for (std::size_t k = 0; k < count; ++k)
+    forces[k] = {normal[k], tangential[k], states.friction_used[k], states[k], ForceLimit::none};
+}
+inline void write_forces(const dual::Problem<3>& problem, const ContactLane<3>& c,
+                         const dual::LaneForces<3, double>& lane, ContactForce<3>* forces,
+                         std::size_t count) {
+  const Lane n = lane.f[0], a = lane.f[1], b = lane.f[2], s = lane.f[3];
+  const Lane unit = problem.weight * c.root;
+  const Lane normal = n * unit, moment = s * unit * c.soft * problem.hand.length;
+  Lane tangential[3];
+  for (int d = 0; d < 3; ++d) tangential[d] = problem.weight * (a * c.a[d] + b * c.b[d]);
+  Lane beside = a * a + b * b + s * s;
+  for (std::size_t k = 0; k < lane_size; ++k) beside[k] = std::sqrt(beside[k]);
+  const LaneStates states(normal, beside / (c.mu * n), problem.weight);
+  for (std::size_t k = 0; k < count; ++k)
+    forces[k] = {normal[k], {tangential[0][k], tangential[1][k], tangential[2][k]}, moment[k],
+                 states.friction_used[k], states[k], ForceLimit::none};
+}
+
+/// The hold of a load in the solver's units.
+template <int Dim>
+Hold<Dim> solve(const dual::Problem<Dim>& problem, const Wrench<Dim>& w, const Twist<Dim>& start,
+                const HoldSettings& settings) {
   if (!(settings.force_cap > 0) || !(settings.force_cap <= 1e9))
     throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
-  const ScaledGrasp<Dim>& scaled = grasp.scaled();
-  dual::Point<Dim> point(scaled.size);
+  dual::Point<Dim> point(problem.size);
   Hold<Dim> hold;
-  hold.holdable = dual::maximise(scaled, w, start, settings.force_cap, point);
-  const double weight = grasp.object().weight, square = weight * weight;
-  hold.dual = about_origin(grasp, point.y);
+  hold.holdable = dual::maximise(problem, w, start, settings.force_cap, point);
+  const double weight = problem.weight, square = weight * weight;
+  hold.dual = about_origin(problem.hand, weight, point.y);
   if (!hold.holdable) {
     hold.proven = dual::lower_bound(point) > settings.force_cap * settings.force_cap;
     // Finite for weights whose square nearly overflows, too.
@@ -61,20 +86,33 @@ Hold<Dim> solve(const Grasp<Dim>& grasp, const Wrench<Dim>& w, const Twist<Dim>&
   }
   const double moment = point.residual.template tail<wrench_size<Dim> - Dim>().norm();
   hold.residual =
-      std::max(point.residual.template head<Dim>().norm(), grasp.radius() > 0 ? moment : 0);
-  hold.forces.resize(scaled.size);
-  const ContactLane<Dim>* contacts = scaled.lanes.begin();
+      std::max(point.residual.template head<Dim>().norm(), problem.hand.radius > 0 ? moment : 0);
+  hold.forces.resize(problem.size);
   const dual::LaneForces<Dim, double>* lanes = point.lanes.begin();
   ContactForce<Dim>* forces = hold.forces.begin();
-  for (std::size_t i = 0; i < scaled.size; i += lane_size)
-    write_forces(*contacts++, *lanes++, forces + i, std::min(lane_size, scaled.size - i));
-  if (scaled.limited)
-    for (std::size_t i = 0; i < scaled.size; ++i)
-      forces[i].limit = limit_of(grasp.contacts()[i], forces[i].normal, at_limit * weight);
+  for (std::size_t i = 0; i < problem.size; i += lane_size)
+    write_forces(problem, problem.lanes[i / lane_size], *lanes++, forces + i,
+                 std::min(lane_size, problem.size - i));
+  if (problem.limited)
+    for (std::size_t i = 0; i < problem.size; ++i) {
+      const ContactLane<Dim>& c = problem.lanes[i / lane_size];
+      const std::size_t k = i % lane_size;
+      forces[i].limit =
+          limit_of(forces[i].normal, c.lo[k] * c.root[k], c.hi[k] * c.root[k], at_limit * weight);
+    }
   hold.effort = square * dual::squared_norm(point);
   // A long y may ask more for the load itself than for one within the balance tolerance.
   hold.lower_bound = std::min(square * 2 * point.value, hold.effort);
   return hold;
+}
+
+/// The hold of a load in the posture `up`, from cold.
+template <int Dim>
+Hold<Dim> solve(const dual::Problem<Dim>& problem, const Load<Dim>& load, const Vector<Dim>& up,
+                const HoldSettings& settings) {
+  if (!(std::abs(up.squaredNorm() - 1) <= 1e-6)) throw InvalidGrasp("up", "must be a unit vector");
+  const Wrench<Dim> w = scaled_load<Dim>(problem.hand, problem.weight, load, up);
+  return solve(problem, w, dual::cold_start<Dim>(problem, w), settings);
 }
 
 }  // namespace poise

@@ -1,12 +1,15 @@
 #include "plane/arc.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <type_traits>
+
+#include "dual/twist.hpp"
 
 namespace poise {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// A few units in the last place of 1; what is as good as singular.
 template <class T>
@@ -15,6 +18,15 @@ template <class T>
 constexpr double singular = std::is_same_v<T, double> ? 1e-6 : 1e-28;
 
 }  // namespace
+
+LoadCurve load_curve(const ScaledHand<2>& hand, double weight, const Load<2>& load) {
+  const Load<2> turning{.weight = load.weight, .com = load.com};
+  LoadCurve curve;
+  curve << scaled_wrench(hand, weight, load.fixed),
+      scaled_load<2>(hand, weight, turning, Vector<2>::UnitY()),
+      scaled_load<2>(hand, weight, turning, Vector<2>::UnitX());
+  return curve;
+}
 
 Reach::Reach(double theta) : at(theta), cosine(std::cos(theta)), sine(std::sin(theta)) {}
 
@@ -41,7 +53,10 @@ void Reach::stop(double angle) {
 }
 
 template <class T>
-ArcSolver<T>::ArcSolver(const Cones<2, T>& cones) : limited_(cones.limited), contacts_(cones.size) {
+ArcSolver<T>::ArcSolver(const Cones<2, T>& cones, const LoadCurve& load)
+    : limited_(cones.limited || !load.col(0).isZero(0)),
+      load_(load.cast<T>()),
+      contacts_(cones.size) {
   for (std::size_t i = 0; i < cones.size; ++i) {
     const ContactLane<2, T>& c = cones.lanes[i / lane_size_of<T>];
     const std::size_t k = i % lane_size_of<T>;
@@ -49,8 +64,8 @@ ArcSolver<T>::ArcSolver(const Cones<2, T>& cones) : limited_(cones.limited), con
     contact.G = dual::columns<T>(cones, i);
     contact.mu = element(c.mu, k);
     contact.edge = element(c.edge, k);
-    contact.lo = element(c.lo, k);
-    contact.hi = element(c.hi, k);
+    contact.lo = element(c.lo, k) * cones.per_weight;
+    contact.hi = element(c.hi, k) * cones.per_weight;
   }
 }
 
@@ -92,15 +107,15 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
   }
   T largest_force = 1;
   if (limited_) {
-    dual::Screw<2, T> residual = dual::Screw<2, T>::Zero();
+    const dual::Screw<2, T> fixed = load_.col(0);
+    dual::Screw<2, T> residual = fixed;
     for (Contact& contact : contacts_) {
       contact.F.col(0) = contact.face.f0;
       residual -= contact.G * contact.face.f0;
     }
-    balance<0, 1>(inverse, dual::Screw<2, T>::Zero(), residual, free_turn, Y, largest_force);
+    balance<0, 1>(inverse, fixed, residual, free_turn, Y, largest_force);
   }
-  Eigen::Matrix<T, 3, 2> load;
-  load << T(0), T(1), T(1), T(0), T(0), T(0);  // (sin theta, cos theta, 0)
+  const Eigen::Matrix<T, 3, 2> load = load_.template rightCols<2>();
   balance<1, 2>(inverse, load, load, free_turn, Y, largest_force);
   if (free_turn) {
     Y.row(2) = turn_at(reach, Y);

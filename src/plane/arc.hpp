@@ -10,8 +10,10 @@
 
 namespace poise {
 
-/// The solver's load in a posture: weight 1, no moment about the com.
-inline Wrench<2> load_at(double cosine, double sine) { return {sine, cosine, 0}; }
+/// A load in the solver's units as a function of the posture: coefficients of (1, cos theta,
+/// sin theta), one row for each component.
+using LoadCurve = Eigen::Matrix3d;
+LoadCurve load_curve(const ScaledHand<2>& hand, double weight, const Load<2>& load);
 
 /// g(theta) = a + b cos theta + c sin theta around a posture where it is not negative: how far it
 /// stays so on either side, as t = tan(turn / 2).
@@ -34,7 +36,7 @@ struct Reach {
 template <class T>
 class ArcSolver {
  public:
-  explicit ArcSolver(const Cones<2, T>& cones);
+  ArcSolver(const Cones<2, T>& cones, const LoadCurve& load);
 
   /// The arc around the posture of `reach`, from the faces to which `point` projects there: y (a
   /// twist about the com in the solver's units), V [weights^2], and how far the faces stay valid.
@@ -64,7 +66,8 @@ class ArcSolver {
   static void for_each_condition(const Contact& contact, const Function& f);
   Row turn_at(const Reach& reach, const Affine<3>& Y) const;
 
-  bool limited_;
+  bool limited_;  ///< whether y and the forces have a constant part
+  Affine<3> load_;
   SmallVector<Contact, 16> contacts_;
 };
 

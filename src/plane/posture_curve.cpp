@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "plane/arc.hpp"
@@ -13,7 +14,8 @@
 namespace poise {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
+
 /// Postures closer than this [rad] are one: below it lies the rounding of where arcs end.
 constexpr double same_angle = 1e-11;
 /// Within this [rad] of the limit of holding, rounding may decide: no piece need be found there.
@@ -23,13 +25,14 @@ class Tracer {
  public:
   Tracer(const Grasp<2>& grasp, const CurveSettings& settings)
       : grasp_(grasp),
-        scaled_(grasp.scaled()),
+        problem_(grasp.scaled(), grasp.weight()),
+        load_(load_curve(problem_.hand, problem_.weight, grasp.loads().front())),
         cap_(settings.force_cap),
-        point_(scaled_.size),
-        solver_(scaled_) {
+        point_(problem_.size),
+        solver_(problem_, load_) {
     curve_.domain = domain_interval(grasp, settings.domain);
     curve_.arcs.reserve(8);
-    curve_.states.reserve(8 * scaled_.size);
+    curve_.states.reserve(8 * problem_.size);
   }
 
   PostureCurve trace() {
@@ -53,7 +56,7 @@ class Tracer {
     open.push_back({from, to});
     // There are about 4 arcs for each contact; at the limit of holding, where rounding decides,
     // there may be no end of them.
-    std::size_t probes = 64 * (scaled_.size + 16), fruitless = 200;
+    std::size_t probes = 64 * (problem_.size + 16), fruitless = 200;
     while (!open.empty() && probes-- > 0) {
       const auto [lo, hi] = open.back();
       open.pop_back();
@@ -70,14 +73,14 @@ class Tracer {
   /// Adds the arc or unholdable arc around a posture, as far as it goes within lo, hi.
   Interval piece_at(double at, double lo, double hi) {
     Reach reach(at);
-    const Wrench<2> w = load_at(reach.cosine, reach.sine);
+    const Wrench<2> w = load_ * Vector<3>(1, reach.cosine, reach.sine);
     const bool holdable =
-        dual::maximise<2>(scaled_, w, dual::cold_start<2>(scaled_, w), cap_, point_);
+        dual::maximise<2>(problem_, w, dual::cold_start<2>(problem_, w), cap_, point_);
     if (!holdable) {
       if (!(dual::lower_bound(point_) > cap_ * cap_)) return {at, at};
       unholdable_reach(w, reach);
       const Interval piece = within(reach, lo, hi);
-      curve_.unholdable_arcs.push_back({piece.from, piece.to, about_origin(grasp_, point_.y)});
+      curve_.unholdable_arcs.push_back({piece.from, piece.to, about_origin(problem_.hand, problem_.weight, point_.y)});
       return piece;
     }
     Arc& arc = curve_.arcs.emplace_back();
@@ -104,13 +107,15 @@ class Tracer {
     if (!ray) {  // in truth, or by rounding
       const dual::Point<2> narrow = point_;
       dual::decide(in_wide_numbers().cones, w, cap_, wide_->point);
-      dual::evaluate<2, double>(scaled_, w, wide_->point.y.cast<double>(), point_);
+      dual::evaluate<2, double>(problem_, w, wide_->point.y.cast<double>(), point_);
       if (!(dual::lower_bound(point_) > cap_ * cap_)) point_ = narrow;
       ray = make_ray(limits);
     }
     const Twist<2>& y = point_.y;
     const double bound = dual::lower_bound(point_) - (1 + 1e-6) * cap_ * cap_;
-    const Eigen::RowVector3d g(ray ? -limits : bound / 2 - y.dot(w), y[1], y[0]);
+    const Eigen::RowVector3d drive = y.transpose() * load_;  // y . w(theta)
+    const double here = drive.dot(Eigen::RowVector3d(0, reach.cosine, reach.sine));
+    const Eigen::RowVector3d g(ray ? drive[0] - limits : bound / 2 - here, drive[1], drive[2]);
     reach.keep(g, 0);
     // It may prove all postures but one.
     const double size = std::hypot(g[1], g[2]);
@@ -122,15 +127,15 @@ class Tracer {
   /// `limits` is what those at a limit of their force add to phi.
   bool make_ray(double& limits) {
     const Twist<2> y = point_.y * std::clamp(1e19 / point_.y.norm(), 1.0, 1e8);
-    dual::Point<2> far(scaled_.size);
-    dual::evaluate<2, double>(scaled_, Wrench<2>::Zero(), y, far);
+    dual::Point<2> far(problem_.size);
+    dual::evaluate<2, double>(problem_, Wrench<2>::Zero(), y, far);
     limits = 0;
-    for (std::size_t i = 0; i < scaled_.size; ++i) {
-      const dual::Face<> face = dual::face<double>(scaled_, i, far.z(i));
+    for (std::size_t i = 0; i < problem_.size; ++i) {
+      const dual::Face<> face = dual::face<double>(problem_, i, far.z(i));
       if (face.at_lo || face.at_hi) limits += far.z(i).dot(far.f(i));
     }
     const double rounding = 2e-15 * y.norm();
-    if (-far.value - limits > rounding * rounding * static_cast<double>(scaled_.size)) return false;
+    if (-far.value - limits > rounding * rounding * static_cast<double>(problem_.size)) return false;
     point_ = far;
     return true;
   }
@@ -140,18 +145,18 @@ class Tracer {
     arc.first_state = curve_.states.size();
     const auto solve_with = [&](auto& solver, const auto& point) {
       if (!solver.solve(point, reach, arc)) return false;
-      for (std::size_t i = 0; i < scaled_.size; ++i) curve_.states.push_back(solver.state(i));
+      for (std::size_t i = 0; i < problem_.size; ++i) curve_.states.push_back(solver.state(i));
       return true;
     };
     if (!solve_with(solver_, point_)) {  // nearly degenerate faces
       dual::decide(in_wide_numbers().cones, w, cap_, wide_->point);
       if (!solve_with(wide_->solver, wide_->point)) return false;
     }
-    const double weight = grasp_.object().weight, square = weight * weight;
+    const double weight = problem_.weight, square = weight * weight;
     for (double* c : {&arc.V.c0, &arc.V.cos1, &arc.V.sin1, &arc.V.cos2, &arc.V.sin2}) *c *= square;
     std::array<Harmonic1, 3>& y = arc.y;
     const auto to_origin = [&](double Harmonic1::*c) {
-      const Twist<2> at = about_origin(grasp_, {y[0].*c, y[1].*c, y[2].*c});
+      const Twist<2> at = about_origin(problem_.hand, problem_.weight, {y[0].*c, y[1].*c, y[2].*c});
       for (std::size_t row = 0; row < 3; ++row) y[row].*c = at[static_cast<int>(row)];
     };
     for (double Harmonic1::*c : {&Harmonic1::c0, &Harmonic1::cos1, &Harmonic1::sin1}) to_origin(c);
@@ -161,7 +166,7 @@ class Tracer {
 
   /// Ends the arc where its effort leaves the force cap.
   void keep_below_cap(double at, const Harmonic2& V, Reach& reach) const {
-    const double cap = cap_ * grasp_.object().weight;
+    const double cap = cap_ * problem_.weight;
     const double most =
         V.c0 + std::abs(V.cos1) + std::abs(V.sin1) + std::abs(V.cos2) + std::abs(V.sin2);
     if (most <= cap * cap) return;
@@ -251,7 +256,7 @@ class Tracer {
     for (Arc& arc : kept) {
       const auto first = curve_.states.begin() + static_cast<std::ptrdiff_t>(arc.first_state);
       arc.first_state = states.size();
-      states.insert(states.end(), first, first + static_cast<std::ptrdiff_t>(scaled_.size));
+      states.insert(states.end(), first, first + static_cast<std::ptrdiff_t>(problem_.size));
     }
     curve_.arcs = std::move(kept);
     curve_.states = std::move(states);
@@ -312,18 +317,20 @@ class Tracer {
   }
 
   const Grasp<2>& grasp_;
-  const ScaledGrasp<2>& scaled_;
+  dual::Problem<2> problem_;
+  LoadCurve load_;
   double cap_;
   dual::Point<2> point_;
   ArcSolver<double> solver_;
   struct InWideNumbers {
-    explicit InWideNumbers(const Cones<2>& narrow)
-        : cones(widened(narrow)), point(cones.size), solver(cones) {}
+    InWideNumbers(const Cones<2>& narrow, const LoadCurve& load)
+        : widened(narrow), cones(widened.cones()), point(cones.size), solver(cones, load) {}
+    Widened<2> widened;
     Cones<2, Wide> cones;
     dual::Point<2, Wide> point;
     ArcSolver<Wide> solver;
   };
-  InWideNumbers& in_wide_numbers() { return wide_ ? *wide_ : wide_.emplace(scaled_); }
+  InWideNumbers& in_wide_numbers() { return wide_ ? *wide_ : wide_.emplace(problem_, load_); }
   std::optional<InWideNumbers> wide_;  // made where rounding asks for it
   PostureCurve curve_;
 };
@@ -337,13 +344,14 @@ const char* to_string(Kind kind) {
 
 Interval domain_interval(const Grasp<2>& grasp, Domain domain) {
   if (domain == Domain::all) return {-pi, pi};
-  const Interval wedge = cradled_wedge(grasp);
+  const Interval wedge = cradled_wedge(grasp, grasp.loads().front().com);
   if (!(wedge.to > wedge.from)) return {-pi, pi};
   return wedge.to < pi ? Interval{wedge.to, wedge.from + 2 * pi}
                        : Interval{wedge.to - 2 * pi, wedge.from};
 }
 
 PostureCurve posture_curve(const Grasp<2>& grasp, const CurveSettings& settings) {
+  if (grasp.loads().size() > 1) throw InvalidGrasp("loads", "must be one: the grasp is in the plane");
   PostureCurve curve = Tracer(grasp, settings).trace();
   curve.optima = optima(curve);
   for (Interval& interval : curve.holdable) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "poise/object.hpp"
+#include "poise/wrench.hpp"
 
 namespace poise {
 

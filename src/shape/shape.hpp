@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "poise/object.hpp"
+#include "poise/wrench.hpp"
 #include "shape/mesh.hpp"
 
 namespace poise {

@@ -3,13 +3,14 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "poise/posture.hpp"
 
 namespace poise::search {
 
-inline constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Postures at most an angle away from a direction.
 struct Cone {

@@ -1,11 +1,11 @@
 #include "space/local_minima.hpp"
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "dual/twist.hpp"
+#include "dual/ascend.hpp"
+
 
 namespace poise::search {
 namespace {
@@ -29,24 +29,24 @@ struct Slope {
   Vector<3> along;
   Twist<3> y;
 };
-std::optional<Slope> slope(const Scenario& scenario, const Vector<3>& up, const Twist<3>& start) {
-  const Grasp<3>& grasp = *scenario.grasp;
-  const Hold<3> found = hold<3>(grasp, grasp.load(up), start, {scenario.cap});
-  if (!found.holdable) return {};
-  const Vector<3> v = about_com(grasp, found.dual).head<3>();
-  return Slope{v - up.dot(v) * up, found.dual};
+std::optional<Slope> slope(const Case& load, const Vector<3>& up, const Twist<3>& start) {
+  dual::Point<3> point(load.problem.size);
+  if (!dual::maximise<3>(load.problem, load.at(up), start, load.cap, point)) return {};
+  const Vector<3> v = load.velocity(point.y);
+  return Slope{v - up.dot(v) * up, point.y};
 }
 
 }  // namespace
 
-std::optional<std::pair<Vector<3>, Row>> descend(const std::vector<Scenario>& scenarios,
+std::optional<std::pair<Vector<3>, Row>> descend(const Grasp<3>& grasp,
+                                                 const std::vector<Case>& cases,
                                                  const std::vector<Cone>& domain, Vector<3> up) {
   constexpr double near = 0.1;
   std::optional<std::pair<Vector<3>, Row>> lowest;
   for (int step = 0; step < 60; ++step) {
     std::vector<Cone> cones = domain;
     cones.push_back({up, near});
-    Search local(scenarios, cones, step == 0 ? 1e-3 : 1e-10, 150, true);
+    Search local(grasp, cases, cones, step == 0 ? 1e-3 : 1e-10, 150, true);
     local.run();
     if (!(local.best_V() < infinity)) break;
     const double moved = std::acos(std::clamp(up.dot(local.best_up()), -1.0, 1.0));
@@ -56,14 +56,15 @@ std::optional<std::pair<Vector<3>, Row>> descend(const std::vector<Scenario>& sc
   }
   return lowest;
 }
-Vector<3> settled(const Scenario& scenario, Vector<3> up, const Row& row) {
+
+Vector<3> settled(const Case& load, Vector<3> up, const Row& row) {
   constexpr double h = 1e-5;
-  std::optional<Slope> here = slope(scenario, up, about_origin(*scenario.grasp, row.y));
+  std::optional<Slope> here = slope(load, up, row.y);
   if (!here) return up;
   const Eigen::Matrix<double, 3, 2> across = tangents(up);
   Eigen::Matrix2d J;
   for (int k = 0; k < 2; ++k) {
-    const auto beside = slope(scenario, (up + h * across.col(k)).normalized(), here->y);
+    const auto beside = slope(load, (up + h * across.col(k)).normalized(), here->y);
     if (!beside) return up;
     J.col(k) = across.transpose() * (beside->along - here->along) / h;
   }
@@ -72,7 +73,7 @@ Vector<3> settled(const Scenario& scenario, Vector<3> up, const Row& row) {
     const Vector<2> way = -J.inverse() * (across.transpose() * here->along);
     if (!(way.norm() < 1e-3)) return up;
     const Vector<3> next = (up + across * way).normalized();
-    const auto there = slope(scenario, next, here->y);
+    const auto there = slope(load, next, here->y);
     if (!there || !(there->along.norm() < 0.5 * here->along.norm())) return up;
     up = next;
     here = there;
@@ -80,6 +81,7 @@ Vector<3> settled(const Scenario& scenario, Vector<3> up, const Row& row) {
   }
   return up;
 }
+
 std::vector<Vector<3>> starts(Search& search, const std::vector<Cone>& domain, int count) {
   const Cone all = domain.empty() ? Cone{Vector<3>::UnitZ(), pi} : domain.front();
   std::vector<std::pair<double, Vector<3>>> low;

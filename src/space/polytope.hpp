@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "poise/object.hpp"
+#include "poise/wrench.hpp"
 
 namespace poise {
 

@@ -1,5 +1,4 @@
 #include "space/posture_search.hpp"
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -8,52 +7,63 @@
 #include "dual/ascend.hpp"
 #include "dual/twist.hpp"
 
+
 namespace poise::search {
 
-/// The postures in which one contact may carry all: it is right under the com, or above it.
+Case::Case(const ScaledHand<3>& hand, const Load<3>& load, double heaviest, double force_cap)
+    : problem(hand, load.weight),
+      arm((load.com - hand.center) * hand.per_length),
+      fixed(scaled_wrench(hand, load.weight, load.fixed)),
+      weight(load.weight / heaviest),
+      cap(std::min(force_cap / weight, 1e9)) {}
+
 std::vector<Vector<3>> on_one_contact(const Grasp<3>& grasp) {
   std::vector<Vector<3>> ups;
-  for (const Contact<3>& contact : grasp.contacts()) {
-    const Vector<3> arm = grasp.object().com - contact.position;
-    const bool at_com = arm.norm() <= 1e-9 * grasp.radius();
-    const Vector<3> along = at_com ? contact.normal : Vector<3>(arm.normalized());
-    const double normal = contact.normal.dot(along);
-    const double beside = (along - normal * contact.normal).norm();
-    if (beside <= contact.friction * std::abs(normal) + 1e-9)
-      ups.push_back(normal > 0 ? along : -along);
-  }
+  for (const Load<3>& load : grasp.loads())
+    for (const Contact<3>& contact : grasp.contacts()) {
+      const Vector<3> arm = load.com - contact.position;
+      const bool at_com = arm.norm() <= 1e-9 * grasp.radius();
+      const Vector<3> along = at_com ? contact.normal : Vector<3>(arm.normalized());
+      const double normal = contact.normal.dot(along);
+      const double beside = (along - normal * contact.normal).norm();
+      if (beside <= contact.friction * std::abs(normal) + 1e-9)
+        ups.push_back(normal > 0 ? along : -along);
+    }
   return ups;
 }
 
-Search::Search(const std::vector<Scenario>& scenarios, std::vector<Cone> cones, double gap,
-               int max_holds, bool rough)
-    : scenarios_(scenarios),
+Search::Search(const Grasp<3>& grasp, const std::vector<Case>& cases, std::vector<Cone> cones,
+               double gap, int max_holds, bool rough)
+    : grasp_(grasp),
+      cases_(cases),
       cones_(std::move(cones)),
       gap_(gap),
       max_holds_(max_holds),
       rough_(rough) {
-  for (const Scenario& s : scenarios) {
-    limited_ = limited_ || s.grasp->scaled().limited;
-    cap_ = std::max(cap_, s.cap * s.weight);
+  bool fixed = false;
+  for (const Case& each : cases) {
+    fixed = fixed || !each.fixed.isZero(0);
+    cap_ = std::max(cap_, each.cap * each.weight);
   }
-  // |f| >= W / sqrt(sum share), by y = t e_k.
-  const ScaledGrasp<3>& grasp = scenarios.front().grasp->scaled();
-  for (std::size_t i = 0; i < grasp.size; ++i)
-    shares_ += grasp.lanes[i / lane_size].share[i % lane_size];
-  for (std::size_t s = 0; s < scenarios.size(); ++s)
-    if (scenarios[s].weight == 1) heaviest_ = s;
+  limited_ = fixed || cases.front().problem.limited;
+  for (const Contact<3>& contact : grasp.contacts()) shares_ += contact.share;
+  // |f| >= W / sqrt(sum share), by y = t e_k, where forces add up to the weight.
+  if (!fixed) least_ = 1 / shares_;
+  for (std::size_t s = 0; s < cases.size(); ++s)
+    if (cases[s].weight == 1) heaviest_ = s;
   t_ = limited_ ? target() : 1;
   polytope_ = box();
-  for (std::size_t s = 0; s < scenarios.size(); ++s)
-    for (const Twist<3>& unfelt : scenarios[s].grasp->scaled().unfelt)
-      if (unfelt.head<3>().norm() > 1e-9) {
-        thin_.push_back({unfelt.head<3>().normalized(), 0});
-        for (const double sign : {1.0, -1.0}) nothing_resists(s, sign * unfelt);
-      }
+  for (std::size_t s = 0; s < cases.size(); ++s)
+    for (const Twist<3>& unfelt : cases[s].problem.hand.unfelt) {
+      const Vector<3> v = cases[s].velocity(unfelt);
+      if (!(v.norm() > 1e-9)) continue;
+      if (cases[s].fixed.isZero(0)) thin_.push_back({v.normalized(), 0});
+      for (const double sign : {1.0, -1.0}) nothing_resists(s, sign * unfelt);
+    }
 }
 
 Polytope Search::box() const {
-  const double half = std::sqrt(t_ * shares_);
+  const double half = least_ > 0 ? std::sqrt(t_ * shares_) : infinity;
   return Polytope(limited_ ? std::min(half, 2.0) : half);
 }
 
@@ -88,14 +98,15 @@ double felt(const dual::Point<3>& point, bool limited) {
 
 }  // namespace
 
-Row Search::row(const dual::Point<3>& point, std::size_t scenario, const Vector<3>& at,
+Row Search::row(const dual::Point<3>& point, std::size_t load, const Vector<3>& at,
                 bool holdable) const {
+  const Vector<3> v = cases_[load].velocity(point.y);
   Row row;
   row.y = point.y;
-  row.speed = point.y.head<3>().norm();
-  row.n = point.y.head<3>() / row.speed;
-  row.phi = felt(point, limited_);
-  row.scenario = scenario;
+  row.speed = v.norm();
+  row.n = v / row.speed;
+  row.phi = felt(point, limited_) - point.y.dot(cases_[load].fixed);
+  row.load = load;
   row.at = at;
   row.holdable = holdable;
   return row;
@@ -106,19 +117,19 @@ namespace {
 /// Newton steps until what the dual may still gain is little beside what it adds to `known`, a
 /// bound on the effort. True where it then shows that w needs at least `least`; else `start` is
 /// where to go on from.
-bool probe(const ScaledGrasp<3>& grasp, const Wrench<3>& w, double known, double least,
+bool probe(const dual::Problem<3>& problem, const Wrench<3>& w, double known, double least,
            Twist<3>& start, dual::Point<3>& point) {
   // A very long y is of no use for other loads, and no start.
   const auto too_long = [&](const Twist<3>& y) { return !(dual::span(y) < 1e4 * (1 + known)); };
-  if (too_long(start)) start = dual::cold_start<3>(grasp, w);
-  dual::evaluate<3, double>(grasp, w, Twist<3>(start), point);
+  if (too_long(start)) start = dual::cold_start<3>(problem, w);
+  dual::evaluate<3, double>(problem, w, Twist<3>(start), point);
   for (int step = 0; step < 6; ++step) {
-    const dual::Square<3, double> M = dual::curvature<double>(grasp, point);
+    const dual::Square<3, double> M = dual::curvature<double>(problem, point);
     const Twist<3> dy = dual::newton_step(M, point.residual);
     const double gain = point.residual.dot(dy), before = point.value;
     start = point.y;
     if (!(dual::span(dy) < 3 * (1 + dual::span(start)))) return false;
-    dual::evaluate<3, double>(grasp, w, Twist<3>(start + dy), point);
+    dual::evaluate<3, double>(problem, w, Twist<3>(start + dy), point);
     if (!(point.value >= before + 0.1 * gain) || too_long(point.y)) return false;
     start = point.y;
     if (2 * point.value < least) {
@@ -142,20 +153,18 @@ Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact,
   if (inside(given) && !inside(x)) x = given;
   Evaluation worst;
   worst.V = -1;
-  Wrench<3> w;
-  w << x, 0, 0, 0;
-  for (std::size_t s = 0; s < scenarios_.size(); ++s) {
-    const Scenario& scenario = scenarios_[s];
-    const ScaledGrasp<3>& grasp = scenario.grasp->scaled();
-    dual::Point<3> point(grasp.size);
-    Twist<3> start =
-        from != nullptr && from->scenario == s ? from->y : dual::cold_start<3>(grasp, w);
-    const double in_units = scenario.weight * scenario.weight;
-    if (known > 0 && probe(grasp, w, known / in_units, best_V_ / in_units, start, point)) {
+  for (std::size_t s = 0; s < cases_.size(); ++s) {
+    const Case& load = cases_[s];
+    const dual::Problem<3>& problem = load.problem;
+    const Wrench<3> w = load.at(x);
+    dual::Point<3> point(problem.size);
+    Twist<3> start = from != nullptr && from->load == s ? from->y : dual::cold_start<3>(problem, w);
+    const double in_units = load.weight * load.weight;
+    if (known > 0 && probe(problem, w, known / in_units, best_V_ / in_units, start, point)) {
       ++holds_;
       return {2 * in_units * point.value, row(point, s, x, true)};
     }
-    bool holdable = !exact && dual::approach(grasp, w, start, scenario.cap, point);
+    bool holdable = !exact && dual::approach(problem, w, start, load.cap, point);
     double square = dual::squared_norm(point);
     // Where the two disagree again and again, beside what can be held, the first is not believed.
     if (holdable && !exact && !rough_ && improves(in_units * square) && refuted_ > 20) {
@@ -164,7 +173,7 @@ Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact,
                          point.residual.cwiseAbs().maxCoeff() > 0.5 * dual::delta)) {
       dual::Point<3> rough = point;
       const bool approached = holdable;
-      holdable = dual::maximise(grasp, w, exact ? start : Twist<3>(point.y), scenario.cap, point);
+      holdable = dual::maximise(problem, w, exact ? start : Twist<3>(point.y), load.cap, point);
       square = dual::squared_norm(point);
       if (approached && !holdable) ++refuted_;
       // Rounding of a load may ask for a very long y, of no use for other loads.
@@ -185,13 +194,13 @@ Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact,
       Twist<3> best = found;
       double least = felt(point, true);
       for (double times = 1e3; times > 1e-13; times *= 1e-3) {
-        dual::evaluate<3, double>(grasp, w, Twist<3>(times * found), point);
+        dual::evaluate<3, double>(problem, w, Twist<3>(times * found), point);
         const double phi = felt(point, limited_);
         if (!(depth(point.y, phi) > depth(best, least))) continue;
         best = point.y;
         least = phi;
       }
-      dual::evaluate<3, double>(grasp, w, best, point);
+      dual::evaluate<3, double>(problem, w, best, point);
     }
     worst.row = row(point, s, x, holdable);
     if (!holdable) break;
@@ -200,26 +209,26 @@ Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact,
 }
 
 /// A row for a twist that no contact feels.
-void Search::nothing_resists(std::size_t scenario, const Twist<3>& y) {
-  const ScaledGrasp<3>& grasp = scenarios_[scenario].grasp->scaled();
-  dual::Point<3> point(grasp.size);
-  dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), Twist<3>(1e8 * y), point);
-  rows_.push_back(row(point, scenario, Vector<3>::Zero(), false));
+void Search::nothing_resists(std::size_t load, const Twist<3>& y) {
+  const dual::Problem<3>& problem = cases_[load].problem;
+  dual::Point<3> point(problem.size);
+  dual::evaluate<3, double>(problem, Wrench<3>::Zero(), Twist<3>(1e8 * y), point);
+  rows_.push_back(row(point, load, Vector<3>::Zero(), false));
   cut(rows_.size() - 1, Polytope::none);
 }
 
 /// Without limits y may be as long as is best for a cut; not so long that rounding would count,
-/// also where y is told about an origin far from the com.
+/// also where y is told about an origin far from the center.
 double Search::stretch(const Row& row, double half) const {
-  const Grasp<3>& grasp = *scenarios_[row.scenario].grasp;
-  const double arm = 1 + grasp.object().com.norm() * grasp.scaled().per_length;
+  const ScaledHand<3>& hand = cases_[row.load].problem.hand;
+  const double arm = 1 + hand.center.norm() * hand.per_length;
   return std::sqrt(half) * std::min(1 / std::sqrt(row.phi), 1e13 / (arm * row.y.norm()));
 }
 
 /// Of n . x where the effort is at most t_.
 double Search::right_hand_side(const Row& row) const {
   if (row.plane) return 0;
-  const double weight = scenarios_[row.scenario].weight, half = t_ / (2 * weight * weight);
+  const double weight = cases_[row.load].weight, half = t_ / (2 * weight * weight);
   const double times = limited_ ? 1 : stretch(row, half), most = half / times + times * row.phi;
   return (most + (dual::delta + 1e-15) * dual::length<3, double>(row.y)) / row.speed;
 }
@@ -284,7 +293,7 @@ std::optional<Row> Search::beside(const Vector<3>& x, const std::array<int, 3>& 
   for (std::size_t k = 0; k < 3; ++k) {
     if (planes[k] < 6) return start;
     rows[k] = &rows_[static_cast<std::size_t>(planes[k] - 6)];
-    if (rows[k]->plane || !rows[k]->holdable || rows[k]->scenario != start.scenario) return start;
+    if (rows[k]->plane || !rows[k]->holdable || rows[k]->load != start.load) return start;
     at.col(static_cast<Eigen::Index>(k)) = rows[k]->at;
   }
   const Vector<3> part = at.inverse() * x.normalized();
@@ -356,7 +365,7 @@ bool Search::shrink() {
     beyond = !(V < infinity);
     heavier_is_easier_ = V <= at_up;
     if (there_still() && below(V)) {
-      heavier_ = Load{x, V};
+      heavier_ = Known{x, V};
       return true;
     }
   }
@@ -374,7 +383,7 @@ bool Search::shrink() {
     rows_.push_back(e.row);
     cut(rows_.size() - 1, Polytope::none);
     holds = e.V < infinity;
-    if (below(e.V)) (near.norm() > 1 ? heavier_ : lighter_) = Load{near, e.V};
+    if (below(e.V)) (near.norm() > 1 ? heavier_ : lighter_) = Known{near, e.V};
   }
   const Vector<3> near = best_V_ < infinity ? Vector<3>(up + part * (best_up_ - up)) : inside;
   if (near.norm() > 1e-3 && visit(snapped(near, planes), nullptr) < infinity) holds = true;
@@ -408,7 +417,7 @@ bool Search::recede() {
     const Evaluation e = evaluate(load);
     rows_.push_back(e.row);
     cut(rows_.size() - 1, Polytope::none);
-    if (load.norm() < 1 && below(e.V)) lighter_ = Load{load, e.V};
+    if (load.norm() < 1 && below(e.V)) lighter_ = Known{load, e.V};
     return e.V;
   };
   const auto done = [&] {
@@ -422,7 +431,7 @@ bool Search::recede() {
     if (best_V_ < before) return true;
     const Vector<3> middle = (up + heavier_->x) / 2;
     const double there = try_load(middle);
-    if (middle.norm() > 1 && below(there)) heavier_ = Load{middle, there};
+    if (middle.norm() > 1 && below(there)) heavier_ = Known{middle, there};
   }
   // Where it lies outside by rounding, it is approached from the inside.
   const Vector<3> inside = heavier_ ? heavier_->x : best_up_;
@@ -442,10 +451,10 @@ void Search::begin_with(const Search& easier) {
   if (easier.best_V_ < infinity) visit(easier.best_up_, &easier.best_row_);
   for (Row row : easier.rows_) {
     if (!row.plane) {
-      const ScaledGrasp<3>& grasp = scenarios_[row.scenario].grasp->scaled();
-      dual::Point<3> point(grasp.size);
-      dual::evaluate<3, double>(grasp, Wrench<3>::Zero(), row.y, point);
-      row.phi = felt(point, limited_);
+      const Case& load = cases_[row.load];
+      dual::Point<3> point(load.problem.size);
+      dual::evaluate<3, double>(load.problem, Wrench<3>::Zero(), row.y, point);
+      row.phi = felt(point, limited_) - row.y.dot(load.fixed);
     }
     rows_.push_back(row);
     cut(rows_.size() - 1, Polytope::none);
@@ -456,15 +465,14 @@ void Search::run() {
   for (const Cone& cone : cones_)
     if (best_V_ == infinity && inside(cone.axis)) visit(cone.axis, nullptr);
   // A contact right under the com carries alone, perhaps in this posture only.
-  for (const Scenario& scenario : scenarios_)
-    for (const Vector<3>& up : on_one_contact(*scenario.grasp))
-      if (inside(up)) visit(up, nullptr);
+  for (const Vector<3>& up : on_one_contact(grasp_))
+    if (inside(up)) visit(up, nullptr);
   if (limited_) {
     const Evaluation none = evaluate(Vector<3>::Zero(), nullptr, true);
-    if (none.V < infinity) lighter_ = Load{Vector<3>::Zero(), none.V};
+    if (none.V < infinity) lighter_ = Known{Vector<3>::Zero(), none.V};
   }
   for (int step = 0; step < 20 * max_holds_ && holds_ < max_holds_; ++step) {
-    if ((1 - gap_) * best_V_ <= 1 / shares_) break;  // less holds nothing
+    if ((1 - gap_) * best_V_ <= least_) break;  // less holds nothing
     const bool may_be_heavier = heavier_ && below(heavier_->V);
     const bool may_be_lighter = lighter_ && below(lighter_->V);
     // While neither is known it is tried in turns.
@@ -484,7 +492,7 @@ bool Search::proven() const {
 }
 
 /// Forces add up to the weight: W^2 <= V sum share. The cuts may prove more.
-double Search::lower_bound() { return std::max(1 / shares_, bound_by_cuts()); }
+double Search::lower_bound() { return std::max(least_, bound_by_cuts()); }
 
 double Search::bound_by_cuts() {
   // What rounding of vertices may make out, and of y where it is as good as infinitely long.
@@ -504,9 +512,9 @@ double Search::bound_by_cuts() {
   for (double step = gap_; least == most || !proves(least); step *= 4) {
     most = least;
     least = step < 0.5 ? from * (1 - step) : least / 4;
-    if (least <= 1 / shares_) break;
+    if (least <= least_ || least < 1e-300) break;
   }
-  if (least > 1 / shares_) {
+  if (least > least_) {
     for (int halving = 0; halving < 8; ++halving) {
       const double middle = std::sqrt(least * most);
       (proves(middle) ? least : most) = middle;
@@ -524,12 +532,12 @@ std::vector<Cut> Search::certificate(double t) const {
   if (polytope_.farthest(true) == Polytope::none) std::fill(needed.begin(), needed.end(), 1);
   std::vector<Cut> cuts;
   for (std::size_t id = 0; id < needed.size(); ++id) {
-    if (needed[id] == 0 || (id < 6 && limited_ && t * shares_ > 4)) continue;
+    if (needed[id] == 0 || (id < 6 && limited_ && (least_ == 0 || t * shares_ > 4))) continue;
     Cut cut;
     Twist<3> y = Twist<3>::Zero();
     if (id < 6) {
       y[static_cast<Eigen::Index>(id / 2)] = (id % 2 == 0 ? 1 : -1) * std::sqrt(t / shares_);
-      cut.scenario = heaviest_;
+      cut.load = heaviest_;
     } else {
       const Row& row = rows_[id - 6];
       if (row.plane) {
@@ -537,12 +545,13 @@ std::vector<Cut> Search::certificate(double t) const {
         cuts.push_back(cut);
         continue;
       }
-      cut.scenario = row.scenario;
+      cut.load = row.load;
       y = row.y;
-      const double half = t / (2 * std::pow(scenarios_[row.scenario].weight, 2));
+      const double half = t / (2 * std::pow(cases_[row.load].weight, 2));
       if (!limited_) y *= stretch(row, half);
     }
-    cut.y = about_origin(*scenarios_[cut.scenario].grasp, y);
+    const dual::Problem<3>& problem = cases_[cut.load].problem;
+    cut.y = about_origin(problem.hand, problem.weight, y);
     cuts.push_back(cut);
   }
   return cuts;

@@ -7,35 +7,53 @@
 #include <optional>
 #include <vector>
 
-#include "space/directions.hpp"
 #include "dual/dual.hpp"
-#include "poise/best_spatial_posture.hpp"
+#include "poise/best_posture.hpp"
+#include "space/directions.hpp"
 #include "space/polytope.hpp"
-#include "dual/scaled_grasp.hpp"
+
 
 namespace poise::search {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A scenario in the units of the search: efforts in squared weights of the heaviest.
-struct Scenario {
-  const Grasp<3>* grasp;
-  double weight;  ///< in weights of the heaviest
-  double cap;     ///< in its own weights
+/// A load in the units of the search: efforts in squared weights of the heaviest. As a function of
+/// x, the posture or any other vector, it is w(x) = (x, arm x x) + fixed in its own weights.
+struct Case {
+  Case(const ScaledHand<3>& hand, const Load<3>& load, double heaviest, double force_cap);
+
+  Wrench<3> at(const Vector<3>& x) const {
+    Wrench<3> w = fixed;
+    w.head<3>() += x;
+    w.tail<3>() += arm.cross(x);
+    return w;
+  }
+  /// The velocity under y of the point where the weight acts.
+  Vector<3> velocity(const Twist<3>& y) const {
+    return y.head<3>() + Vector<3>(y.tail<3>()).cross(arm);
+  }
+
+  dual::Problem<3> problem;
+  Vector<3> arm;    ///< from the hand's center to the com, in radii
+  Wrench<3> fixed;  ///< in its own weights
+  double weight;    ///< in weights of the heaviest
+  double cap;       ///< in its own weights
 };
 
-/// For every x in R^3, load x through the com of the scenario: effort >= weight^2 2 (v . x - phi),
-/// v the velocity of the com under y. Or a plane n . x <= 0 of the domain.
+/// For every x in R^3 and w(x) of the load: effort >= weight^2 2 (v . x - phi), v the velocity of the
+/// com under y. Or a plane n . x <= 0 of the domain.
 struct Row {
   Vector<3> n;  ///< v / |v|
-  double speed{0}, phi{0};
-  Twist<3> y = Twist<3>::Zero();  ///< about the com, in the solver's units
-  std::size_t scenario{0};
+  double speed{0};
+  double phi{0};                  ///< phi(G^T y) - y . fixed
+  Twist<3> y = Twist<3>::Zero();  ///< about the center, in the solver's units
+  std::size_t load{0};
   Vector<3> at = Vector<3>::Zero();  ///< where y is optimal
   bool holdable{false}, plane{false};
 };
 
-struct Load {
+/// An x whose effort is known.
+struct Known {
   Vector<3> x;
   double V;
 };
@@ -48,11 +66,11 @@ struct Evaluation {
 /// The postures in which one contact may carry all: it is right under the com, or above it.
 std::vector<Vector<3>> on_one_contact(const Grasp<3>& grasp);
 
-/// Minimises the greatest effort of the scenarios over the unit vectors of all cones.
+/// Minimises the greatest effort of the loads over the unit vectors of all cones.
 class Search {
  public:
   /// `rough`: with holds to the digits that doubles give at once, for what needs no proof.
-  Search(const std::vector<Scenario>& scenarios, std::vector<Cone> cones, double gap, int max_holds,
+  Search(const Grasp<3>& grasp, const std::vector<Case>& cases, std::vector<Cone> cones, double gap, int max_holds,
          bool rough = false);
 
   /// V at the weight `given` (unit vector: a posture), from the y of a row.
@@ -63,7 +81,7 @@ class Search {
                       double known = 0);
 
   void run();
-  /// Takes over what was found for the same scenarios without max_normal.
+  /// Takes over what was found for the same loads without max_normal.
   void begin_with(const Search& easier);
 
   /// Turns that nobody feels leave only loads on these planes.
@@ -96,7 +114,7 @@ class Search {
   /// Evaluates, remembers the row and whether it is the best.
   double visit(const Vector<3>& up, const Row* from, std::size_t hint = Polytope::none,
                double known = 0);
-  Row row(const dual::Point<3>& point, std::size_t scenario, const Vector<3>& at,
+  Row row(const dual::Point<3>& point, std::size_t load, const Vector<3>& at,
           bool holdable) const;
   std::optional<Row> beside(const Vector<3>& x, const std::array<int, 3>& planes) const;
   std::vector<Plane> meant(const Vector<3>& x, const std::array<int, 3>& planes) const;
@@ -108,14 +126,16 @@ class Search {
   bool cross();
   bool proven() const;
   double bound_by_cuts();
-  void nothing_resists(std::size_t scenario, const Twist<3>& y);
+  void nothing_resists(std::size_t load, const Twist<3>& y);
 
-  const std::vector<Scenario>& scenarios_;
+  const Grasp<3>& grasp_;
+  const std::vector<Case>& cases_;
   std::vector<Cone> cones_;
   double gap_;
   int max_holds_, holds_{0};
   bool rough_, limited_{false}, heavier_is_easier_{false};
   double cap_{0}, shares_{0}, t_{1};
+  double least_{0};  ///< effort that forces need to add up to the weight
   std::size_t heaviest_{0};
   std::vector<Plane> thin_;
   std::vector<Row> rows_;  ///< plane 6 + i of the polytope is row i
@@ -126,7 +146,7 @@ class Search {
   int beyond_in_a_row_{0}, refuted_{0};
   int nearness_{1};  ///< how often the way from a vertex to the inside is halved
   /// Loads of the domain known to need no more: lighter than the object, and heavier.
-  std::optional<Load> lighter_, heavier_;
+  std::optional<Known> lighter_, heavier_;
 };
 
 }  // namespace poise::search

@@ -1,11 +1,13 @@
-// The grasp as the solver sees it. Not installed.
+// The hand as the solver sees it. Not installed.
 //
-// Forces in weights W, lengths in radii L, moments about the centre of mass, and the force of a
-// contact divided by sqrt(share), so that the effort is |f|^2 and the share appears nowhere else.
+// Forces in weights W of the load, lengths in radii L, moments about the hand's center, and the force
+// of a contact divided by sqrt(share), so that the effort is |f|^2 and the share appears nowhere
+// else. The hand itself knows no W: limits of force are in newtons here, and Cones has 1 / W.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -83,31 +85,30 @@ struct ContactLane;
 template <class T>
 struct alignas(sizeof(LaneOf<T>)) ContactLane<2, T> {
   LaneOf<T> nx, ny;  ///< inward normal, times sqrt(share)
-  LaneOf<T> jx, jy;  ///< velocity of the contact point: the object turns about the com at 1 rad/s
-  LaneOf<T> share;
-  LaneOf<T> mu, edge;  ///< friction; 1 / (1 + mu^2), squared normal part of the cone's unit edge
-  LaneOf<T> lo, hi;    ///< limits of the normal force
-  LaneOf<T> unit;      ///< of its forces: W sqrt(share) [N]
+  LaneOf<T> jx, jy;  ///< velocity of the contact point: the object turns about the center at 1 rad/s
+  LaneOf<T> share, root;  ///< and sqrt(share)
+  LaneOf<T> mu, edge;     ///< friction; 1 / (1 + mu^2), squared normal part of the cone's unit edge
+  LaneOf<T> lo, hi;       ///< limits of the normal force, over sqrt(share) [N]
 };
 
 /// In space the friction cone is round in (t1, t2, m / gamma'), with gamma' = gamma / (mu L).
 template <class T>
 struct alignas(sizeof(LaneOf<T>)) ContactLane<3, T> {
   LaneOf<T> n[3], a[3], b[3];  ///< inward normal and tangents, times sqrt(share)
-  LaneOf<T> r[3];              ///< from the com to the contact
+  LaneOf<T> r[3];              ///< from the center to the contact
   LaneOf<T> soft;              ///< gamma'; 0 for a hard finger
-  LaneOf<T> share;
-  LaneOf<T> mu, edge;  ///< as in the plane
+  LaneOf<T> share, root;       ///< as in the plane, like those below
+  LaneOf<T> mu, edge;
   LaneOf<T> lo, hi;
-  LaneOf<T> unit;
 };
 
-/// The contacts, in numbers of type T: the grasp matrix and the friction cones.
+/// The contacts of a hand, in numbers of type T, with the unit of force: a view.
 template <int Dim, class T = double>
 struct Cones {
-  std::size_t size;     ///< contacts
-  bool limited{false};  ///< whether any contact has a force limit
-  SmallVector<ContactLane<Dim, T>, 16 / lane_size_of<T>> lanes;
+  std::size_t size;       ///< contacts
+  bool limited;           ///< whether any contact has a force limit
+  double per_weight;      ///< 1 / W [1/N]: takes limits to the solver's units
+  std::span<const ContactLane<Dim, T>> lanes;
 };
 
 /// Of two contacts.
@@ -121,22 +122,49 @@ struct InternalForce {
 };
 
 template <int Dim>
-struct ScaledGrasp : Cones<Dim> {
-  explicit ScaledGrasp(const Grasp<Dim>& grasp);
+struct Hand<Dim>::Scaled {
+  Scaled(const std::vector<Contact<Dim>>& contacts, const Vector<Dim>& center, double radius);
 
-  double length;      ///< L [m], or 1 where every contact is at the centre of mass
-  double per_length;  ///< 1 / L [1/m]
-  double per_weight;  ///< 1 / W [1/N]
+  /// The contacts in a unit of force [N].
+  Cones<Dim> cones(double weight) const {
+    return {size, limited, 1 / weight, {lanes.data(), lanes.size()}};
+  }
+  /// The same hand with all frictions and torsions multiplied by a factor >= 0.
+  Scaled with_friction(double factor) const;
+  /// The contacts without max_normal alone, the others made to press with nothing, none with a
+  /// min_normal: what these can hold once they can hold at any size.
+  Scaled without_limits() const;
+  Scaled without_max_normal() const;
+
+  std::size_t size;
+  bool limited{false};
+  SmallVector<ContactLane<Dim>, 16 / lane_size> lanes;
+  Vector<Dim> center;
+  double radius;      ///< L [m]; may be 0
+  double length;      ///< L [m], or 1 where every contact is at the center
+  double per_length;  ///< 1 / length [1/m]
   /// Pseudo-inverse of G G^T: the dual of a load while no contact is at the border of its cone.
   Eigen::Matrix<double, wrench_size<Dim>, wrench_size<Dim>> inverse;
   InternalForce internal{};  ///< of two contacts in the plane
   /// Twists that no contact feels, an orthonormal basis: two hard fingers leave one in space.
   /// There a frictionless contact feels what moves it along its normal alone.
   std::vector<Twist<Dim>> unfelt;
+
+ private:
+  void prepare();  ///< what follows from the lanes: inverse, internal, unfelt
 };
 
-/// The same contacts in wider numbers.
-Cones<2, Wide> widened(const Cones<2>& cones);
-Cones<3, Wide> widened(const Cones<3>& cones);
+template <int Dim>
+using ScaledHand = typename Hand<Dim>::Scaled;
+
+/// The same contacts in wider numbers, with limits in the unit of force.
+template <int Dim>
+struct Widened {
+  explicit Widened(const Cones<Dim>& cones);
+  Cones<Dim, Wide> cones() const { return {lanes.size(), limited, 1, {lanes.data(), lanes.size()}}; }
+
+  bool limited;
+  SmallVector<ContactLane<Dim, Wide>, 16> lanes;
+};
 
 }  // namespace poise
