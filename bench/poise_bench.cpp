@@ -34,17 +34,17 @@ Case random_case(std::mt19937& random, std::size_t contacts) {
       contact.friction = 0.2 + 0.8 * uniform(random);
       all.push_back(contact);
     }
-    const Grasp<2> grasp(Object<2>{}, all);
+    const Grasp<2> grasp(Load<2>{}, all);
     const double theta = 2 * pi * uniform(random);
     const Hold<2> here = hold(grasp, up_at(theta)), beside = hold(grasp, up_at(theta + pi / 180));
     if (here.holdable && beside.holdable && here.effort < 900)
-      return {grasp, up_at(theta), grasp.load(up_at(theta)), beside.dual};
+      return {grasp, up_at(theta), grasp.loads().front().at(up_at(theta)), beside.dual};
   }
 }
 
 Grasp<2> paper_disk() {
   const double phi = 5 * pi / 12;
-  Object<2> object;
+  Load<2> object;
   object.weight = 10;
   std::vector<Contact<2>> contacts(2);
   contacts[0].position = up_at(phi);

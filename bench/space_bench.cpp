@@ -3,7 +3,7 @@
 #include <random>
 
 #include "measure.hpp"
-#include "poise/best_spatial_posture.hpp"
+#include "poise/best_posture.hpp"
 
 namespace {
 
@@ -33,7 +33,7 @@ Grasp<3> random_grasp(std::mt19937& random, std::size_t contacts, bool soft) {
     contact.friction = 0.3 + 0.7 * uniform(random);
     if (soft) contact.torsion = 0.05 + 0.15 * uniform(random);
   }
-  return {Object<3>{.weight = 1, .com = 0.2 * direction(random)}, all};
+  return {Load<3>{.weight = 1, .com = 0.2 * direction(random)}, all};
 }
 
 /// In a posture where 30 weights of force norm hold it.
@@ -48,7 +48,7 @@ std::vector<Case> random_cases(std::size_t contacts, bool soft) {
     const Vector<3> beside = (up + std::tan(3.14159265358979 / 180) * across).normalized();
     const Hold<3> here = hold(grasp, up), there = hold(grasp, beside);
     if (here.holdable && there.holdable && here.effort < 900)
-      cases.push_back({grasp, up, grasp.load(up), there.dual});
+      cases.push_back({grasp, up, grasp.loads().front().at(up), there.dual});
   }
   return cases;
 }
@@ -88,14 +88,14 @@ void space_best(benchmark::State& state) {
   settings.starts = 0;
   std::vector<double> holds, outside;
   for (const Grasp<3>& grasp : grasps) {
-    BestSpatialPosture best;
+    Best<3> best;
     const double whole = seconds([&] { best = best_posture(grasp, settings); }, 1);
-    holds.push_back(best.holds);
-    if (!best.best) continue;
-    const Wrench<3> load = grasp.load(best.best->up);
-    const Twist<3> y = hold(grasp, (best.best->up + Vector<3>(0.03, 0.02, 0.01)).normalized()).dual;
+    holds.push_back(best.proof.holds);
+    if (!best.holdable()) continue;
+    const Wrench<3> load = grasp.loads().front().at(best.best().up);
+    const Twist<3> y = hold(grasp, (best.best().up + Vector<3>(0.03, 0.02, 0.01)).normalized()).dual;
     const double one = seconds([&] { benchmark::DoNotOptimize(hold(grasp, load, y)); }, 10);
-    outside.push_back(1 - best.holds * one / whole);
+    outside.push_back(1 - best.proof.holds * one / whole);
   }
   measure<6>(state, grasps.size(), 1,
              [&](std::size_t i) { benchmark::DoNotOptimize(best_posture(grasps[i], settings)); });

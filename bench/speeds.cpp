@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "poise/best_posture.hpp"
-#include "poise/best_spatial_posture.hpp"
+#include "poise/best_posture.hpp"
 
 namespace {
 
@@ -23,7 +23,7 @@ Grasp<2> disk(int fingers) {
     contact.normal = -contact.position;
     contact.friction = 0.7 + 0.05 * i;
   }
-  return {Object<2>{.weight = 10, .com = {0.1, 0.05}}, contacts};
+  return {Load<2>{.weight = 10, .com = {0.1, 0.05}}, contacts};
 }
 
 /// Fingers around a cylinder, above its middle.
@@ -35,7 +35,7 @@ Grasp<3> cylinder(int fingers) {
     contact.position = Vector<3>(0, 0, 0.4) - contact.normal;
     contact.friction = 0.5 + 0.05 * i;
   }
-  return {Object<3>{.weight = 10, .com = {0.1, 0.05, 0}}, contacts};
+  return {Load<3>{.weight = 10, .com = {0.1, 0.05, 0}}, contacts};
 }
 
 /// The fastest of several rounds, each of some milliseconds.

@@ -32,6 +32,34 @@ Grasp<2> vice(double friction, double max_normal, double weight = 10) {
 }
 
 /// Where the bracket between what is held and what is proven is as narrow as wanted.
+/// The same contacts on an object of another weight [N].
+template <int Dim>
+Grasp<Dim> with_weight(const Grasp<Dim>& grasp, double weight) {
+  return {Load<Dim>{.weight = weight, .com = grasp.center()}, grasp.contacts()};
+}
+template <int Dim, class Change>
+Grasp<Dim> with_contacts(const Grasp<Dim>& grasp, const Change& change) {
+  std::vector<Contact<Dim>> contacts = grasp.contacts();
+  for (Contact<Dim>& contact : contacts) change(contact);
+  return {grasp.loads().front(), std::move(contacts)};
+}
+/// With all frictions and torsions multiplied by a factor.
+template <int Dim>
+Grasp<Dim> with_friction(const Grasp<Dim>& grasp, double factor) {
+  return with_contacts(grasp, [&](Contact<Dim>& contact) {
+    contact.friction *= factor;
+    contact.torsion *= factor;
+  });
+}
+/// The contacts without max_normal alone: what these can hold once they can hold at any size.
+template <int Dim>
+Grasp<Dim> without_limits(const Grasp<Dim>& grasp) {
+  return with_contacts(grasp, [](Contact<Dim>& contact) {
+    contact.min_normal = 0;
+    if (std::isfinite(contact.max_normal)) contact.max_normal = 0;
+  });
+}
+
 testing::AssertionResult narrow(double held, double bound) {
   if (difference(held, bound) <= 1.01e-7) return testing::AssertionSuccess();
   return testing::AssertionFailure() << held << " and " << bound;
@@ -39,32 +67,32 @@ testing::AssertionResult narrow(double held, double bound) {
 
 TEST(Capacity, OfTwoOpposedFingersIsTwiceTheirFriction) {
   const Grasp<2> grasp = vice(0.4, 25);
-  const WeightRange<2> range = weight_range(grasp, upright);
+  const WeightRange<2> range = weight_range(grasp, grasp.loads().front(), upright);
   ASSERT_TRUE(range.holdable);
   EXPECT_EQ(range.least.weight, 0);
   EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
   EXPECT_NEAR(range.greatest.bound, 2 * 0.4 * 25, 1e-9);
-  EXPECT_NEAR(grip_force(grasp, range.greatest.hold), 25, 1e-5);
-  for (const Deciding& contact : deciding(grasp, upright, range.greatest.dual)) {
+  EXPECT_NEAR(grip_force(grasp, range.greatest.posture.hold()), 25, 1e-5);
+  for (const Deciding& contact : range.deciding) {
     EXPECT_TRUE(contact.slipping);
     EXPECT_NEAR(contact.per_newton, 0.4, 1e-9);
   }
-  const LeastFriction<2> friction = least_friction(grasp, upright);
+  const LeastFriction<2> friction = least_friction(grasp, grasp.loads().front(), upright);
   EXPECT_TRUE(narrow(friction.factor, friction.bound));
   EXPECT_NEAR(0.4 * friction.bound, 10 / (2 * 25.0), 1e-9);
 }
 
 TEST(Capacity, OfAFingerBelowIsItsGreatestForce) {
   const Grasp<2> grasp({1, {0, 0}}, {finger({0, -1}, {0, 1}, 0.5, 7, 3)});
-  const WeightRange<2> range = weight_range(grasp, upright);
+  const WeightRange<2> range = weight_range(grasp, grasp.loads().front(), upright);
   ASSERT_TRUE(range.holdable);
   EXPECT_NEAR(range.greatest.bound, 7, 1e-8);
   EXPECT_NEAR(range.least.bound, 3, 1e-8);
   EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
   EXPECT_TRUE(narrow(range.least.weight, range.least.bound));
-  EXPECT_NEAR(deciding(grasp, upright, range.greatest.dual)[0].per_newton, 1, 1e-9);
-  EXPECT_FALSE(least_friction(grasp, upright).hold.holdable);  // 1 N is too little for it
-  EXPECT_EQ(least_friction(with_weight(grasp, 5), upright).factor, 0);
+  EXPECT_NEAR(range.deciding[0].per_newton, 1, 1e-9);
+  EXPECT_FALSE(least_friction(grasp, grasp.loads().front(), upright).posture.hold().holdable);  // 1 N is too little for it
+  EXPECT_EQ(least_friction(with_weight(grasp, 5), with_weight(grasp, 5).loads().front(), upright).factor, 0);
 }
 
 TEST(Capacity, IsNothingWhereNothingHolds) {
@@ -73,28 +101,28 @@ TEST(Capacity, IsNothingWhereNothingHolds) {
                                 Grasp<2>({1, {0, 0}}, {finger({0, 1}, {0, -1}, 0.1, 5)}),
                                 Grasp<2>({1, {0, 0}}, {finger({-1, 0}, {0.6, -0.8}, 0.1, 5),
                                                        finger({1, 0}, {-0.6, -0.8}, 0.1, 5)})}) {
-    const WeightRange<2> range = weight_range(grasp, upright);
+    const WeightRange<2> range = weight_range(grasp, grasp.loads().front(), upright);
     EXPECT_FALSE(range.holdable);
     EXPECT_TRUE(range.greatest.bound <= 1e-11 || range.greatest.bound < range.least.bound);
     EXPECT_EQ(range.greatest.weight, 0);
   }
   // Nor does any friction help a finger that is above the com with nothing below.
   const Grasp<2> above({1, {0, 0}}, {finger({0, 1}, {0, -1}, 0.1)});
-  const LeastFriction<2> friction = least_friction(above, upright);
+  const LeastFriction<2> friction = least_friction(above, above.loads().front(), upright);
   EXPECT_EQ(friction.factor, infinity);
   EXPECT_GE(friction.bound, 1e6);
 }
 
 TEST(Capacity, HasNoEndWhereNothingLimitsTheFingers) {
-  const WeightRange<2> range = weight_range(vice(0.4, infinity), upright);
+  const WeightRange<2> range = weight_range(vice(0.4, infinity), vice(0.4, infinity).loads().front(), upright);
   EXPECT_TRUE(range.holdable);
   EXPECT_EQ(range.greatest.weight, infinity);
   EXPECT_EQ(range.greatest.bound, infinity);
-  EXPECT_TRUE(range.greatest.hold.holdable);
+  EXPECT_TRUE(range.greatest.posture.hold().holdable);
   // A finger from above is limited, but the others need it not.
   const Grasp<2> grasp({1, {0, 0}}, {finger({-0.5, -1}, {0, 1}, 0), finger({0.5, -1}, {0, 1}, 0),
                                      finger({0, 1}, {0, -1}, 0, 5, 1)});
-  const WeightRange<2> pressed = weight_range(grasp, upright);
+  const WeightRange<2> pressed = weight_range(grasp, grasp.loads().front(), upright);
   EXPECT_TRUE(pressed.holdable);
   EXPECT_EQ(pressed.greatest.weight, infinity);
   EXPECT_EQ(pressed.least.weight, 0);
@@ -107,7 +135,8 @@ TEST(Capacity, LeastFrictionOfThePapersDiskIsTheTangentOfItsContacts) {
       const Vector<2> at(side * std::sin(phi), std::cos(phi));
       contacts.push_back(finger(at, -at, 2));
     }
-    const LeastFriction<2> friction = least_friction(Grasp<2>({10, {0, 0}}, contacts), upright);
+    const Grasp<2> grasp({10, {0, 0}}, contacts);
+    const LeastFriction<2> friction = least_friction(grasp, grasp.loads().front(), upright);
     // The force grows without bound towards the limit, and the force cap ends it.
     EXPECT_NEAR(2 * friction.factor, 1 / std::tan(phi), 1e-5);
     EXPECT_GT(2 * friction.bound, 1 / std::tan(phi) - 1e-9);
@@ -127,7 +156,7 @@ Real greatest_by_bases(const Grasp<2>& grasp, double theta) {
   Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> A =
       Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>::Zero(rows, columns);
   Eigen::Matrix<Real, Eigen::Dynamic, 1> b = Eigen::Matrix<Real, Eigen::Dynamic, 1>::Zero(rows);
-  const RealVector com = grasp.object().com.cast<Real>();
+  const RealVector com = grasp.center().cast<Real>();
   for (int i = 0; i < n; ++i) {
     const Contact<2>& contact = contacts[static_cast<std::size_t>(i)];
     const RealVector r = contact.position.cast<Real>() - com;
@@ -170,7 +199,7 @@ RC_GTEST_PROP(Capacity, IsThatOfALinearProgramInThePlane, ()) {
   for (Contact<2>& contact : held.contacts) contact.max_normal = 10 * real(1, 0.01);
   const double theta = random_angle();
   const Grasp<2> grasp = held.grasp();
-  const WeightRange<2> range = weight_range(grasp, up_at(theta));
+  const WeightRange<2> range = weight_range(grasp, grasp.loads().front(), up_at(theta));
   const Real greatest = greatest_by_bases(grasp, theta);
   RC_ASSERT(std::abs(range.greatest.bound - greatest) <= 1e-9L * greatest + 1e-8L);
   RC_ASSERT(std::abs(range.greatest.weight - greatest) <= 1.01e-7L * greatest + 1e-8L);
@@ -219,7 +248,7 @@ bool excludes(const Grasp<Dim>& grasp, const Vector<Dim>& up, const Twist<Dim>& 
     const Real nearest = inside ? std::hypot(z.normal, z.beside) : along / std::sqrt(1 + mu * mu);
     squared += contact.share * nearest * nearest;
   }
-  const Real weight = grasp.object().weight;
+  const Real weight = grasp.weight();
   return y.template cast<Real>().dot(load_of(grasp, up)) > most + cap * weight * std::sqrt(squared);
 }
 
@@ -228,9 +257,9 @@ template <int Dim, class Load>
 bool balances(const Grasp<Dim>& grasp, const Load& load, const Hold<Dim>& hold) {
   using namespace space;
   const auto forces = forces_of(hold);
-  const Real digits = 1e-12L * (1 + std::sqrt(effort_of(grasp, forces)) / grasp.object().weight);
+  const Real digits = 1e-12L * (1 + std::sqrt(effort_of(grasp, forces)) / grasp.weight());
   for (std::size_t i = 0; i < forces.size(); ++i)
-    if (outside(grasp.contacts()[i], forces[i]) > digits * grasp.object().weight) return false;
+    if (outside(grasp.contacts()[i], forces[i]) > digits * grasp.weight()) return false;
   return hold.holdable && forces.size() == grasp.contacts().size() &&
          imbalance(grasp, load, forces) <= 2e-12L + digits;
 }
@@ -238,7 +267,7 @@ bool balances(const Grasp<Dim>& grasp, const Load& load, const Hold<Dim>& hold) 
 /// Holds and proofs of both ends say what they claim.
 template <int Dim>
 void check_range(const Grasp<Dim>& grasp, const Vector<Dim>& up) {
-  const WeightRange<Dim> range = weight_range(grasp, up);
+  const WeightRange<Dim> range = weight_range(grasp, grasp.loads().front(), up);
   const double greatest = range.greatest.bound, least = range.least.bound;
   double all_pushes = 0;
   for (const Contact<Dim>& contact : grasp.contacts()) all_pushes += contact.min_normal;
@@ -256,22 +285,22 @@ void check_range(const Grasp<Dim>& grasp, const Vector<Dim>& up) {
     RC_ASSERT(difference(range.greatest.weight, greatest) <= 1e-3);
     RC_ASSERT(balances(with_weight(grasp, range.greatest.weight),
                        load_of(with_weight(grasp, range.greatest.weight), up),
-                       range.greatest.hold));
+                       range.greatest.posture.hold()));
   } else {
     RC_ASSERT(
-        balances(without_limits(grasp), load_of(without_limits(grasp), up), range.greatest.hold));
+        balances(without_limits(grasp), load_of(without_limits(grasp), up), range.greatest.posture.hold()));
     RC_ASSERT(hold<Dim>(with_weight(grasp, 1e6 * (1 + range.least.weight)), up).holdable);
   }
   if (range.least.weight > 0) {
     RC_ASSERT(difference(range.least.weight, least) <= (hidden ? 0.7 : 1e-3));
     RC_ASSERT(balances(with_weight(grasp, range.least.weight),
-                       load_of(with_weight(grasp, range.least.weight), up), range.least.hold));
+                       load_of(with_weight(grasp, range.least.weight), up), range.least.posture.hold()));
   }
 }
 
 template <int Dim>
 void check_friction(const Grasp<Dim>& grasp, const Vector<Dim>& up) {
-  const LeastFriction<Dim> least = least_friction(grasp, up);
+  const LeastFriction<Dim> least = least_friction(grasp, grasp.loads().front(), up);
   if (least.bound > 2e-6)
     RC_ASSERT(excludes(with_friction(grasp, least.bound * (1 - 1e-6) - 1e-6), up, least.dual));
   if (least.factor == infinity) {
@@ -279,9 +308,9 @@ void check_friction(const Grasp<Dim>& grasp, const Vector<Dim>& up) {
     return;
   }
   RC_ASSERT(balances(with_friction(grasp, least.factor),
-                     load_of(with_friction(grasp, least.factor), up), least.hold));
+                     load_of(with_friction(grasp, least.factor), up), least.posture.hold()));
   // Beyond a thousand weights holds are found as far as rounding lets them.
-  const bool large = std::sqrt(least.hold.effort) > 1e3 * grasp.object().weight;
+  const bool large = std::sqrt(least.posture.hold().effort) > 1e3 * grasp.weight();
   RC_ASSERT(large || least.factor - least.bound <= 2e-6 * (1 + least.factor));
 }
 
@@ -319,17 +348,17 @@ TEST(CapacityInSpace, OfSoftJawsBesideTheComIsThatOfTheirEllipse) {
   right.normal.x() = -1;
   const Vector<3> up(0, 0, 1);
   const Grasp<3> grasp({5, {0, arm, 0}}, {left, right});
-  const WeightRange<3> range = weight_range(grasp, up);
+  const WeightRange<3> range = weight_range(grasp, grasp.loads().front(), up);
   const double weight = 2 * max / std::hypot(1 / mu, arm / gamma);
   EXPECT_NEAR(range.greatest.bound, weight, 1e-8 * weight);
   EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
-  const LeastFriction<3> friction = least_friction(grasp, up);
+  const LeastFriction<3> friction = least_friction(grasp, grasp.loads().front(), up);
   EXPECT_NEAR(friction.bound, 5 / weight, 1e-8);
   // Hard ones cannot resist the moment, whatever they press.
   left.torsion = right.torsion = 0;
   const Grasp<3> hard({5, {0, arm, 0}}, {left, right});
-  EXPECT_FALSE(weight_range(hard, up).holdable);
-  EXPECT_EQ(least_friction(hard, up).factor, infinity);
+  EXPECT_FALSE(weight_range(hard, hard.loads().front(), up).holdable);
+  EXPECT_EQ(least_friction(hard, hard.loads().front(), up).factor, infinity);
 }
 
 /// Held on one side of a limit, not on the other.
@@ -347,13 +376,13 @@ RC_GTEST_PROP(CapacityInSpace, IsWhereHoldingEnds, ()) {
   const Grasp<3> grasp = held.grasp();
   const Vector<3> up = space::random_direction();
   const auto holds = [&](double weight) { return hold(with_weight(grasp, weight), up).holdable; };
-  const WeightRange<3> range = weight_range(grasp, up);
+  const WeightRange<3> range = weight_range(grasp, grasp.loads().front(), up);
   if (!range.holdable || range.greatest.weight < 1e-3) return;
   RC_ASSERT(narrow(range.greatest.weight, range.greatest.bound));
   changes_at(holds, range.greatest.weight * (1 - 1e-6), range.greatest.bound * (1 + 1e-6));
   if (range.least.weight > 1e-3)
     changes_at(holds, range.least.weight * (1 + 1e-6), range.least.bound * (1 - 1e-6));
-  const LeastFriction<3> friction = least_friction(grasp, up);
+  const LeastFriction<3> friction = least_friction(grasp, grasp.loads().front(), up);
   if (friction.factor < 1e3 && friction.bound > 1e-3)
     changes_at([&](double factor) { return hold(with_friction(grasp, factor), up).holdable; },
                friction.factor * (1 + 1e-6), friction.bound * (1 - 1e-6));
@@ -364,7 +393,7 @@ RC_GTEST_PROP(CapacityInSpace, GrowsWithTheLimitsAndNotWithTheWeight, ()) {
   const space::Held held =
       *space::grasps({.least_contacts = 3, .most_contacts = 6, .awkward = false});
   const Vector<3> up = space::random_direction();
-  const WeightRange<3> one = weight_range(held.grasp(), up);
+  const WeightRange<3> one = weight_range(held.grasp(), held.grasp().loads().front(), up);
   if (!one.holdable || one.greatest.bound < 1e-3 || one.greatest.bound == infinity) return;
   space::Held strong = held;
   const double times = real(1, 8);
@@ -373,7 +402,7 @@ RC_GTEST_PROP(CapacityInSpace, GrowsWithTheLimitsAndNotWithTheWeight, ()) {
     contact.max_normal *= times;
   }
   strong.object.weight *= 3;
-  const WeightRange<3> other = weight_range(strong.grasp(), up);
+  const WeightRange<3> other = weight_range(strong.grasp(), strong.grasp().loads().front(), up);
   RC_ASSERT(close(times * one.greatest.bound, other.greatest.bound, 1e-6L, 1e-6L));
   RC_ASSERT(close(times * one.least.bound, other.least.bound, 1e-6L, 1e-6L));
 }

@@ -34,8 +34,8 @@ inline RealVector in_object_frame(const Contact<2>& contact, const RealVector& f
 /// The load in the posture theta, about the origin.
 inline RealWrench load_at(const Grasp<2>& grasp, double theta) {
   const RealVector force =
-      Real{grasp.object().weight} * RealVector(std::sin(Real{theta}), std::cos(Real{theta}));
-  return {force.x(), force.y(), cross(grasp.object().com.cast<Real>(), force)};
+      Real{grasp.weight()} * RealVector(std::sin(Real{theta}), std::cos(Real{theta}));
+  return {force.x(), force.y(), cross(grasp.center().cast<Real>(), force)};
 }
 
 /// By how much a contact force (normal, tangential) is outside of its friction cone and limits.
@@ -89,18 +89,18 @@ inline Real dual_bound(const Grasp<2>& grasp, const RealWrench& w, const Twist<2
 
 /// The velocity of the com, and that of the farthest contact round it.
 inline Real size(const Grasp<2>& grasp, const Twist<2>& y) {
-  const RealVector com = grasp.object().com.cast<Real>();
+  const RealVector com = grasp.center().cast<Real>();
   const RealVector velocity(y[0] - y[2] * com.y(), y[1] + y[2] * com.x());
   return velocity.norm() + grasp.radius() * std::abs(Real{y[2]});
 }
 
 /// The same for forces that balance w within the tolerance.
 inline Real proven_effort(const Grasp<2>& grasp, const RealWrench& w, const Twist<2>& y) {
-  return dual_bound(grasp, w, y) - 2 * balance_tolerance * grasp.object().weight * size(grasp, y);
+  return dual_bound(grasp, w, y) - 2 * balance_tolerance * grasp.weight() * size(grasp, y);
 }
 
 inline Real squared_cap(const Grasp<2>& grasp, double force_cap) {
-  const Real cap = Real{force_cap} * grasp.object().weight;
+  const Real cap = Real{force_cap} * grasp.weight();
   return cap * cap;
 }
 
@@ -123,7 +123,7 @@ inline Real effort_of(const Grasp<2>& grasp, const std::vector<RealVector>& forc
 /// The larger of force / W and moment / (W L) that is left over, the moment about the com.
 inline Real imbalance(const Grasp<2>& grasp, const RealWrench& w,
                       const std::vector<RealVector>& forces) {
-  const RealVector com = grasp.object().com.cast<Real>();
+  const RealVector com = grasp.center().cast<Real>();
   RealVector force = w.head<2>();
   Real moment = w[2] - cross(com, force);
   for (std::size_t i = 0; i < forces.size(); ++i) {
@@ -132,7 +132,7 @@ inline Real imbalance(const Grasp<2>& grasp, const RealWrench& w,
     force -= f;
     moment -= cross(contact.position.cast<Real>() - com, f);
   }
-  const Real weight = grasp.object().weight, length = grasp.radius();
+  const Real weight = grasp.weight(), length = grasp.radius();
   return std::max(force.norm() / weight,
                   length > 0 ? std::abs(moment) / (weight * length) : Real{0});
 }
@@ -154,7 +154,7 @@ inline bool close(Real a, Real b, Real relative, Real absolute = 0) {
 /// What is wrong with one contact force as it is reported, or nothing.
 inline std::string fault(const Grasp<2>& grasp, std::size_t i, const ContactForce<2>& f) {
   const Contact<2>& contact = grasp.contacts()[i];
-  const double weight = grasp.object().weight, most = contact.friction * f.normal;
+  const double weight = grasp.weight(), most = contact.friction * f.normal;
   const bool loaded = f.normal > 1e-9 * weight;
   const double used = !loaded ? 0 : most > 0 ? std::min(1.0, std::abs(f.tangential) / most) : 1;
   const ContactState state = !loaded            ? ContactState::unloaded
@@ -178,7 +178,7 @@ inline std::string fault(const Grasp<2>& grasp, const RealWrench& w, const Hold<
           << static_cast<double>(expected);
     return words.str();
   };
-  const Real weight = grasp.object().weight;
+  const Real weight = grasp.weight();
   if (!hold.holdable) {
     if (!hold.forces.empty() || hold.effort != 0) return "an unholdable load has forces";
     const Real proven = proven_effort(grasp, w, hold.dual), cap = squared_cap(grasp, force_cap);

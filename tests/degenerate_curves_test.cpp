@@ -264,24 +264,24 @@ TEST(DegenerateCurve, EndsOfThePinchedDomainAreBoundaries) {
 
 /// No posture that holds is called unholdable, and none needs less than the lower bound.
 void expect_nothing_claimed_too_much(const Grasp<2>& grasp, const CurveSettings& settings) {
-  const BestPosture best = best_posture(grasp, settings);
+  const Best<2> best = best_posture(grasp, settings);
   const double slack = 1e-9 * best.lower_bound;
   for (int k = 0; k < 2000; ++k) {
     const double theta = -pi + 2 * pi * k / 2000;
     const Hold<2> here = hold(grasp, up_at(theta), {settings.force_cap});
     if (!here.holdable) continue;
     EXPECT_GE(here.effort, best.lower_bound - slack) << theta;
-    for (const UnholdableArc& gap : best.curve.unholdable_arcs)
+    for (const UnholdableArc& gap : best.proof.curve.unholdable_arcs)
       for (const double turn : {-2 * pi, 0.0, 2 * pi})
         EXPECT_FALSE(theta + turn > gap.from + 1e-7 && theta + turn < gap.to - 1e-7) << theta;
   }
   if (best.holdable()) {
-    EXPECT_LE(best.lower_bound, best.best().hold.effort * (1 + 1e-9));
+    EXPECT_LE(best.lower_bound, best.best().hold().effort * (1 + 1e-9));
   }
 }
 
 TEST(UndecidedPostures, AreNamedWhereSizesDifferTooMuch) {
-  Object<2> object;
+  Load<2> object;
   object.com = {0, -3};
   const Grasp<2> grasp(object, {contact({1e13, 0}, {0, 1}, 0), contact({0, 0}, {-1, 0}, 1)});
   EXPECT_FALSE(best_posture(grasp).optimal());
@@ -326,7 +326,7 @@ TEST(UndecidedPostures, AreNoneOfAnOrdinaryGrasp) {
 }
 
 TEST(LowerBound, OfASinglePostureWithALongDualIsNotAboveTheEffort) {
-  Object<2> object;
+  Load<2> object;
   object.weight = 1e6;
   const Grasp<2> grasp(object, {contact({0.70710678118654746, 0.70710678118654757}, {0, 1}, 0),
                                 contact({0.86602540378443871, -0.49999999999999978},

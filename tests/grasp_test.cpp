@@ -153,15 +153,15 @@ RC_GTEST_PROP(Grasp, MatrixTurnsContactForcesIntoTheWrench, ()) {
 RC_GTEST_PROP(Grasp, LoadIsTheWeightThroughTheCom, ()) {
   const Grasp<2> grasp = (*grasps()).grasp();
   const double theta = random_angle();
-  const Wrench<2> load = grasp.load(up_at(theta));
-  RC_ASSERT((load.cast<Real>() - load_at(grasp, theta)).norm() <= 1e-15L * grasp.object().weight);
+  const Wrench<2> load = grasp.loads().front().at(up_at(theta));
+  RC_ASSERT((load.cast<Real>() - load_at(grasp, theta)).norm() <= 1e-15L * grasp.weight());
 }
 
 /// Wrenches along the edges of the cones, about the com and in radii.
 std::vector<Eigen::Vector3d> primitive_wrenches(const Grasp<2>& grasp) {
   std::vector<Eigen::Vector3d> wrenches;
   for (const Contact<2>& contact : grasp.contacts()) {
-    const Vector<2> r = (contact.position - grasp.object().com) / grasp.radius();
+    const Vector<2> r = (contact.position - grasp.center()) / grasp.radius();
     const Vector<2> n = contact.normal, t(-n.y(), n.x());
     for (const double slope : {contact.friction, -contact.friction}) {
       const Vector<2> f = (n + slope * t).normalized();

@@ -11,7 +11,7 @@ namespace poise::test {
 /// An object and its contacts before they are checked: what laws can change.
 template <int Dim>
 struct Unchecked {
-  Object<Dim> object;
+  Load<Dim> object;
   std::vector<Contact<Dim>> contacts;
 
   Grasp<Dim> grasp() const { return Grasp<Dim>(object, contacts); }

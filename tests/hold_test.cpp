@@ -88,7 +88,7 @@ RC_GTEST_PROP(Hold, OfAnyWrenchFromAnyStartIsTheSame, ()) {
   const double weight = held.object.weight;
   const Wrench<2> w = weight * Wrench<2>(coordinate(), coordinate(), coordinate());
   const Twist<2> start = weight * Twist<2>(coordinate(), coordinate(), coordinate());
-  const Hold<2> cold = hold<2>(grasp, w, Twist<2>::Zero()), warm = hold<2>(grasp, w, start);
+  const Hold<2> cold = hold<2>(grasp, w, grasp.weight(), Twist<2>::Zero()), warm = hold<2>(grasp, w, grasp.weight(), start);
   RC_ASSERT(fault(grasp, RealWrench(w.cast<Real>()), cold) == "");
   RC_ASSERT(fault(grasp, RealWrench(w.cast<Real>()), warm) == "");
   RC_ASSERT(warm.holdable == cold.holdable);
@@ -100,7 +100,7 @@ RC_GTEST_PROP(Hold, FromTheNeighboursDualIsTheSame, ()) {
   const Grasp<2> grasp = held.grasp();
   const double theta = random_angle();
   const Hold<2> neighbour = hold(grasp, up_at(theta + 0.01));
-  const Hold<2> warm = hold<2>(grasp, grasp.load(up_at(theta)), neighbour.dual);
+  const Hold<2> warm = hold<2>(grasp, grasp.loads().front().at(up_at(theta)), grasp.weight(), neighbour.dual);
   RC_ASSERT(fault(grasp, theta, warm) == "");
   const Hold<2> cold = hold(grasp, up_at(theta));
   if (clearly(held, theta, cold.holdable)) RC_ASSERT(warm.holdable == cold.holdable);
@@ -112,7 +112,7 @@ TEST(Hold, FromTheDualOfAnUnholdableLoadIsTheSame) {
   const Grasp<2> grasp({1, {0, 0}}, {contact({0, 0}, {0, 1}, 1), contact({1, 0}, {0, 1}, 1)});
   const Hold<2> neighbour = hold(grasp, up_at(pi / 4 + 0.01));
   ASSERT_FALSE(neighbour.holdable);
-  const Hold<2> warm = hold<2>(grasp, grasp.load(up_at(pi / 4 - 0.01)), neighbour.dual);
+  const Hold<2> warm = hold<2>(grasp, grasp.loads().front().at(up_at(pi / 4 - 0.01)), grasp.weight(), neighbour.dual);
   ASSERT_TRUE(warm.holdable);
   EXPECT_EQ(fault(grasp, pi / 4 - 0.01, warm), "");
 }
@@ -277,8 +277,8 @@ TEST(Hold, OnOneFingerLeavesTheOtherUnloaded) {
   EXPECT_EQ(found.forces[0].state, ContactState::unloaded);
   EXPECT_EQ(found.forces[0].friction_used, 0);
   EXPECT_EQ(found.forces[1].state, ContactState::sticking);
-  EXPECT_FALSE(all_loaded(grasp, found));
-  EXPECT_EQ(manner(grasp, up_at(pi / 2), found), Manner::resting);
+  EXPECT_FALSE(all_loaded(grasp, found, grasp.weight()));
+  EXPECT_EQ(manner(grasp, grasp.loads().front(), up_at(pi / 2), found), Manner::resting);
 }
 
 TEST(Hold, OfOneFingerRests) {
@@ -286,16 +286,16 @@ TEST(Hold, OfOneFingerRests) {
   const Hold<2> found = hold(grasp, up_at(0));
   ASSERT_TRUE(found.holdable);
   EXPECT_NEAR(found.effort, 100, 1e-9);
-  EXPECT_EQ(manner(grasp, up_at(0), found), Manner::resting);
+  EXPECT_EQ(manner(grasp, grasp.loads().front(), up_at(0), found), Manner::resting);
   EXPECT_FALSE(hold(grasp, up_at(0.01)).holdable);
 }
 
 TEST(Hold, InTheForkOfTheFingersIsCradled) {
   const Grasp<2> grasp({10, {0, 0}}, {contact({0.6, -0.8}, {-0.6, 0.8}, 0.5),
                                       contact({-0.6, -0.8}, {0.6, 0.8}, 0.5)});
-  EXPECT_EQ(manner(grasp, up_at(0), hold(grasp, up_at(0))), Manner::cradled);
+  EXPECT_EQ(manner(grasp, grasp.loads().front(), up_at(0), hold(grasp, up_at(0))), Manner::cradled);
   const Grasp<2> square = squeezed(0.5).grasp();
-  EXPECT_EQ(manner(square, up_at(0), hold(square, up_at(0))), Manner::pinched);
+  EXPECT_EQ(manner(square, square.loads().front(), up_at(0), hold(square, up_at(0))), Manner::pinched);
 }
 
 TEST(Hold, SaysWhichLimitAContactIsAt) {
@@ -335,7 +335,7 @@ TEST(Hold, WithoutAnyForceAllowedIsUnholdable) {
 
 TEST(Hold, OfNoLoadNeedsNoForce) {
   const Grasp<2> grasp = squeezed(0.5).grasp();
-  const Hold<2> found = hold<2>(grasp, Wrench<2>::Zero(), Twist<2>::Zero());
+  const Hold<2> found = hold<2>(grasp, Wrench<2>::Zero(), grasp.weight(), Twist<2>::Zero());
   ASSERT_TRUE(found.holdable);
   EXPECT_EQ(found.effort, 0);
   EXPECT_EQ(found.forces[0].state, ContactState::unloaded);
@@ -344,7 +344,7 @@ TEST(Hold, OfNoLoadNeedsNoForce) {
 TEST(Hold, OfNoLoadStillPressesWithMinNormal) {
   Held held = squeezed(0.5);
   for (Contact<2>& c : held.contacts) c.min_normal = 3;
-  const Hold<2> found = hold<2>(held.grasp(), Wrench<2>::Zero(), Twist<2>::Zero());
+  const Hold<2> found = hold<2>(held.grasp(), Wrench<2>::Zero(), held.grasp().weight(), Twist<2>::Zero());
   ASSERT_TRUE(found.holdable);
   EXPECT_NEAR(found.effort, 18, 1e-9);
   EXPECT_EQ(found.forces[0].limit, ForceLimit::min);
@@ -411,8 +411,8 @@ TEST(Hold, RefusesMisuse) {
   EXPECT_THROW(hold(grasp, Vector<2>(0, std::nan(""))), InvalidGrasp);
   EXPECT_THROW(hold(grasp, up_at(0), {0}), InvalidGrasp);
   EXPECT_THROW(hold(grasp, up_at(0), {std::nan("")}), InvalidGrasp);
-  EXPECT_THROW(hold<2>(grasp, Wrench<2>(0, infinity, 0), Twist<2>::Zero()), InvalidGrasp);
-  EXPECT_THROW(hold<2>(grasp, Wrench<2>::Zero(), Twist<2>(0, std::nan(""), 0)), InvalidGrasp);
+  EXPECT_THROW(hold<2>(grasp, Wrench<2>(0, infinity, 0), grasp.weight(), Twist<2>::Zero()), InvalidGrasp);
+  EXPECT_THROW(hold<2>(grasp, Wrench<2>::Zero(), grasp.weight(), Twist<2>(0, std::nan(""), 0)), InvalidGrasp);
 }
 
 }  // namespace

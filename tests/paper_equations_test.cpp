@@ -147,10 +147,10 @@ TEST(PreviousAnalysis, BestIsTheMidpointOnTheVerticalThroughTheCom) {
   Random random;
   for (int k = 0; k < 2000; ++k) {
     const Grasp<2> grasp = random.grasp();
-    const double W = grasp.object().weight, best = best_without_friction(grasp);
+    const double W = grasp.weight(), best = best_without_friction(grasp);
     // By hand: V = W^2/2 (1 + (offset / half distance)^2), offset of the midpoint to the vertical.
     const Vector<2> p1 = grasp.contacts()[0].position, p2 = grasp.contacts()[1].position;
-    const Vector<2> arm = (p1 + p2) / 2 - grasp.object().com;
+    const Vector<2> arm = (p1 + p2) / 2 - grasp.center();
     const double half = (p2 - p1).norm() / 2, least = effort_without_friction(grasp, best);
     EXPECT_NEAR(least / (W * W), 0.5, 1e-9);
     EXPECT_NEAR(effort_without_friction(grasp, best + pi) / (W * W), 0.5, 1e-9);
@@ -180,7 +180,7 @@ TEST(TwoContacts, BothSlipWhereTheEdgesMeetOnTheVertical) {
     const Grasp<2> grasp = random.grasp();
     for (const BothSlip& posture : both_slip(grasp)) {
       ++found;
-      const Vector<2> up = up_at(posture.theta), arm = posture.meet - grasp.object().com;
+      const Vector<2> up = up_at(posture.theta), arm = posture.meet - grasp.center();
       EXPECT_NEAR(arm.x() * up.y() - arm.y() * up.x(), 0, 1e-9 * arm.norm());
       const Hold<2> least = hold(grasp, up);
       ASSERT_TRUE(least.holdable || !least.proven);

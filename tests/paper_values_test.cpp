@@ -27,44 +27,44 @@ TEST(Paper, TableOfOptimaIsReproduced) {
     EXPECT_NEAR(study::theta_b(disk), theta_b, 1e-12);
     EXPECT_NEAR(alpha_bar(disk, theta_b), row.alpha_b, 5e-5);
 
-    const BestPosture best = best_posture(grasp_of(disk), {.domain = Domain::pinched});
+    const Best<2> best = best_posture(grasp_of(disk), {.domain = Domain::pinched});
     ASSERT_EQ(best.minima.size(), 3U);
     for (const double at : {-end, end}) {  // a and c
-      const Optimum* optimum = minimum_at(best.curve, at);
+      const Optimum* optimum = minimum_at(best.proof.curve, at);
       ASSERT_TRUE(optimum);
       EXPECT_NEAR(optimum->effort, 100, 1e-7);
       EXPECT_EQ(optimum->kind, Kind::boundary);
     }
-    const Optimum* b = minimum_at(best.curve, theta_b);
+    const Optimum* b = minimum_at(best.proof.curve, theta_b);
     ASSERT_TRUE(b);
     EXPECT_NEAR(b->effort, row.V_b, row.rounding + 1e-9 * row.V_b);
     EXPECT_EQ(b->kind, Kind::kink);
 
     ASSERT_TRUE(best.best_pinched());
-    const PlanarPosture& pinched = *best.best_pinched();
+    const Minimum<2>& pinched = *best.best_pinched();
     EXPECT_NEAR(pinched.optimum.angle, theta_b, 1e-9);
     EXPECT_EQ(pinched.manner, Manner::pinched);
     // The internal force is the part of the forces along F_N: along +x at the left contact.
-    const auto fingers = finger_forces(grasp_of(disk), pinched.hold);
+    const auto fingers = finger_forces(grasp_of(disk), pinched.hold());
     EXPECT_NEAR((fingers[1].force.x() - fingers[0].force.x()) / std::sqrt(2), row.alpha_b, 5e-5);
   }
 }
 
 TEST(Paper, OrderOfEqualMinimaIsPositiveFirst) {
-  const BestPosture best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinched});
+  const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinched});
   EXPECT_NEAR(best.best().optimum.angle, 105 * pi / 180, 1e-12);
   EXPECT_NEAR(best.minima[1].optimum.angle, -105 * pi / 180, 1e-12);
 }
 
 TEST(Paper, EndsOfTheRangeRestOnOneFinger) {
-  const BestPosture best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinched});
+  const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinched});
   EXPECT_EQ(best.best().manner, Manner::resting);
-  EXPECT_FALSE(all_loaded(grasp_of(paper_table[5].disk), best.best().hold));
+  EXPECT_FALSE(all_loaded(grasp_of(paper_table[5].disk), best.best().hold(), grasp_of(paper_table[5].disk).weight()));
 }
 
 TEST(Paper, ConeEdgesMeetOnTheVerticalThroughTheComAtB) {
   for (const PaperRow& row : paper_table) {
-    const BestPosture best = best_posture(grasp_of(row.disk), {.domain = Domain::pinched});
+    const Best<2> best = best_posture(grasp_of(row.disk), {.domain = Domain::pinched});
     ASSERT_TRUE(best.best_pinched() && best.best_pinched()->edges_meet);
     const Vector<2> point = *best.best_pinched()->edges_meet;
     EXPECT_NEAR(std::atan2(point.x(), point.y()), row.theta_b_deg * pi / 180, 1e-8);
@@ -79,24 +79,24 @@ TEST(Paper, ConeEdgesMeetOnTheVerticalThroughTheComAtB) {
 // Finding 3.
 TEST(Paper, Figure4cIsHeldAtTwoPosturesOnly) {
   const Grasp<2> grasp = grasp_of({.phi = pi / 4, .mu1 = 1, .mu2 = 1});
-  const BestPosture best = best_posture(grasp, {.domain = Domain::pinched});
+  const Best<2> best = best_posture(grasp, {.domain = Domain::pinched});
   ASSERT_EQ(best.minima.size(), 2U);
   EXPECT_NEAR(best.minima[0].optimum.angle, 0.75 * pi, 1e-12);
   EXPECT_NEAR(best.minima[1].optimum.angle, -0.75 * pi, 1e-12);
-  for (const PlanarPosture& minimum : best.minima) {
+  for (const Minimum<2>& minimum : best.minima) {
     EXPECT_NEAR(minimum.optimum.effort, 100, 1e-9);
     EXPECT_EQ(minimum.optimum.kind, Kind::boundary);
     EXPECT_EQ(minimum.manner, Manner::resting);
   }
   EXPECT_FALSE(best.best_pinched());
-  ASSERT_EQ(best.curve.holdable.size(), 2U);
-  for (const Interval& point : best.curve.holdable) EXPECT_EQ(point.from, point.to);
+  ASSERT_EQ(best.proof.curve.holdable.size(), 2U);
+  for (const Interval& point : best.proof.curve.holdable) EXPECT_EQ(point.from, point.to);
   EXPECT_FALSE(hold(grasp, up_at(pi / 9)).holdable);
 }
 
 // Finding 7.
 TEST(Paper, Figure6IsHeldWithLessInTheForkOfTheFingers) {
-  const BestPosture best = best_posture(grasp_of(paper_table[5].disk));
+  const Best<2> best = best_posture(grasp_of(paper_table[5].disk));
   EXPECT_NEAR(best.best().optimum.angle, 165 * pi / 180, 1e-12);
   EXPECT_NEAR(best.best().optimum.effort, 80.3848, 5e-5);
   EXPECT_EQ(best.best().manner, Manner::cradled);

@@ -38,7 +38,7 @@ TEST(CradledWedge, OfADiskIsBetweenItsFingers) {
   const double phi = 5 * pi / 12;
   const Grasp<2> grasp =
       at_points({0, 0}, {{std::sin(phi), std::cos(phi)}, {-std::sin(phi), std::cos(phi)}});
-  const Interval wedge = cradled_wedge(grasp);
+  const Interval wedge = cradled_wedge(grasp, grasp.center());
   EXPECT_NEAR(wedge.from, pi - phi, 1e-14);
   EXPECT_NEAR(wedge.to, pi + phi, 1e-14);
   const Interval rest = domain_interval(grasp, Domain::pinched);
@@ -65,7 +65,7 @@ TEST(CradledWedge, IsEmptyWhereNothingIsCradled) {
       at_points({0, 0}, {{1, 0}, {-1, 0}, {0, 1}, {0, 0}}),  // at its corner
   };
   for (const Grasp<2>& grasp : without) {
-    const Interval wedge = cradled_wedge(grasp);
+    const Interval wedge = cradled_wedge(grasp, grasp.center());
     EXPECT_EQ(wedge.from, wedge.to);
     const Interval all = domain_interval(grasp, Domain::pinched);
     EXPECT_EQ(all.from, -pi);
@@ -107,7 +107,7 @@ RC_GTEST_PROP(CradledWedge, IsWhereTheHullIsStraightBelowTheComOutside, ()) {
   for (const Vector<2>& a : arms)
     for (const Vector<2>& b : arms)
       if (&a != &b && std::abs(cross(a, b)) < 1e-6) return;  // on one line with the com
-  const Interval wedge = cradled_wedge(grasp);
+  const Interval wedge = cradled_wedge(grasp, grasp.center());
   RC_ASSERT(wedge.from >= -pi && wedge.from < pi);
   RC_ASSERT(wedge.from <= wedge.to && wedge.to - wedge.from < pi);
   for (int i = 0; i < 10; ++i) {
@@ -127,7 +127,7 @@ RC_GTEST_PROP(CradledWedge, IsWhereTheHullIsStraightBelowTheComOutside, ()) {
 
 RC_GTEST_PROP(CradledWedge, AndThePinchedDomainAreTheWholeCircle, ()) {
   const Grasp<2> grasp = (*grasps()).grasp();
-  const Interval wedge = cradled_wedge(grasp), rest = domain_interval(grasp, Domain::pinched);
+  const Interval wedge = cradled_wedge(grasp, grasp.center()), rest = domain_interval(grasp, Domain::pinched);
   RC_ASSERT(rest.from >= -pi && rest.from < pi && rest.to <= rest.from + 2 * pi);
   RC_ASSERT(std::abs(rest.to - rest.from + wedge.to - wedge.from - 2 * pi) < 1e-14);
   if (wedge.to > wedge.from)

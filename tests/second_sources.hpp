@@ -20,7 +20,7 @@ inline std::optional<LeastForces> clamped_internal_force(const Grasp<2>& grasp,
                                                          const RealWrench& w) {
   const Contact<2>&a = grasp.contacts()[0], &b = grasp.contacts()[1];
   const RealVector line = (b.position - a.position).cast<Real>();
-  const Real distance = line.norm(), weight = grasp.object().weight;
+  const Real distance = line.norm(), weight = grasp.weight();
   const RealVector along = line / distance, across(-along.y(), along.x());
   const Real moment = w[2] - cross(a.position.cast<Real>(), w.head<2>());
   const RealVector particular_b = moment / distance * across;
@@ -115,7 +115,7 @@ class EveryFace {
   }
 
   void solve() {
-    const RealVector com = grasp_.object().com.cast<Real>();
+    const RealVector com = grasp_.center().cast<Real>();
     const Real length = grasp_.radius() > 0 ? grasp_.radius() : 1;
     const auto wrench = [&](std::size_t i, const RealVector& force) {
       const Contact<2>& contact = grasp_.contacts()[i];
@@ -148,7 +148,7 @@ class EveryFace {
       trial.forces.push_back(force);
     }
     trial.effort = effort_of(grasp_, trial.forces);
-    const Real weight = grasp_.object().weight;
+    const Real weight = grasp_.weight();
     const Real tolerance = balance_tolerance * (weight + std::sqrt(trial.effort));
     if (trial.effort >= best_.effort) return;
     if (imbalance(grasp_, w_, trial.forces) * weight > tolerance) return;

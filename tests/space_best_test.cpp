@@ -3,7 +3,8 @@
 
 #include <Eigen/LU>
 
-#include "poise/best_spatial_posture.hpp"
+#include "poise/best_posture.hpp"
+#include "poise/turn.hpp"
 #include "random_space_grasps.hpp"
 #include "space_checks.hpp"
 
@@ -33,6 +34,13 @@ double effort_at(const std::vector<Grasp<3>>& scenarios, const Vector<3>& up) {
   return worst;
 }
 
+/// One grasp with the loads of all of these.
+Grasp<3> together(const std::vector<Grasp<3>>& scenarios) {
+  std::vector<Load<3>> loads;
+  for (const Grasp<3>& grasp : scenarios) loads.push_back(grasp.loads().front());
+  return {loads, scenarios.front().contacts()};
+}
+
 struct Planes {
   std::vector<Real3> n;
   std::vector<Real> b;  ///< cut off: n . x > b
@@ -46,10 +54,10 @@ Planes planes_of(const std::vector<Grasp<3>>& scenarios, const std::vector<Cut>&
       n.emplace_back(c.n->cast<Real>());
       b.push_back(0);
     } else {
-      const Grasp<3>& grasp = scenarios[c.scenario];
+      const Grasp<3>& grasp = scenarios[c.load];
       const Real3 omega = c.y.tail<3>().cast<Real>();
-      const Real3 v = c.y.head<3>().cast<Real>() + omega.cross(grasp.object().com.cast<Real>());
-      n.emplace_back(Real{grasp.object().weight} * v);
+      const Real3 v = c.y.head<3>().cast<Real>() + omega.cross(grasp.center().cast<Real>());
+      n.emplace_back(Real{grasp.weight()} * v);
       b.push_back(t / 2 + support(grasp, c.y));
     }
     const Real norm = n.back().norm();
@@ -80,16 +88,16 @@ Real farthest_of_all_corners(const Planes& planes) {
 }
 
 /// What is wrong with an answer, or nothing: V is sampled all over the sphere.
-std::string fault(const std::vector<Grasp<3>>& scenarios, const BestSpatialPosture& best,
+std::string fault(const std::vector<Grasp<3>>& scenarios, const Best<3>& best,
                   const SpatialSettings& settings, int samples) {
   std::ostringstream words;
   words.precision(12);
   const double bound = best.lower_bound;
-  if (best.status == Status::unholdable && best.best) return "unholdable, but a best";
-  if (best.best) {
-    const SpatialPosture& b = *best.best;
+  if (best.status == Status::unholdable && best.holdable()) return "unholdable, but a best";
+  if (best.holdable()) {
+    const Minimum<3>& b = best.best();
     if (std::abs(b.up.norm() - 1) > 1e-12) return "up is not a unit vector";
-    const std::string other = space::fault(scenarios[b.scenario], b.up, b.hold);
+    const std::string other = space::fault(scenarios[b.decides], b.up, b.hold());
     if (!other.empty()) return other;
     if (!(bound <= b.effort())) return "the bound is above the effort";
     if (std::abs(best.relative_gap - (b.effort() - bound) / b.effort()) > 1e-12) return "the gap";
@@ -111,10 +119,10 @@ std::string fault(const std::vector<Grasp<3>>& scenarios, const BestSpatialPostu
   }
   double shares = 0, weight = 0;
   for (const Contact<3>& contact : scenarios.front().contacts()) shares += contact.share;
-  for (const Grasp<3>& grasp : scenarios) weight = std::max(weight, grasp.object().weight);
+  for (const Grasp<3>& grasp : scenarios) weight = std::max(weight, grasp.weight());
   if (bound <= weight * weight / shares * (1 + 1e-12)) return "";  // forces add up to the weight
-  const Planes planes = planes_of(scenarios, best.cuts, bound);
-  if (best.cuts.size() <= 45 && farthest_of_all_corners(planes) <= 1 + 1e-7L) return "";
+  const Planes planes = planes_of(scenarios, best.proof.cuts, bound);
+  if (best.proof.cuts.size() <= 45 && farthest_of_all_corners(planes) <= 1 + 1e-7L) return "";
   // What the cuts leave may also lie outside: heavier loads that need less.
   for (const Vector<3>& up : directions(4000)) {
     bool left = true;
@@ -134,9 +142,9 @@ RC_GTEST_PROP(SpaceBest, IsCertifiedForRandomHands, ()) {
   const std::vector<Grasp<3>> scenarios = {held.grasp()};
   SpatialSettings settings;
   settings.starts = 0;
-  const BestSpatialPosture best = best_posture(scenarios, settings);
+  const Best<3> best = best_posture(together(scenarios), settings);
   RC_ASSERT(fault(scenarios, best, settings, 300) == "");
-  if (best.best) RC_ASSERT(best.status == Status::optimal || best.relative_gap < 1e-3);
+  if (best.holdable()) RC_ASSERT(best.status == Status::optimal || best.relative_gap < 1e-3);
 }
 
 RC_GTEST_PROP(SpaceBest, IsHonestForAnyGrasp, ()) {
@@ -147,7 +155,7 @@ RC_GTEST_PROP(SpaceBest, IsHonestForAnyGrasp, ()) {
   settings.starts = 0;
   settings.max_holds = 200;
   if (one_in(3)) settings.tilt = Tilt{random_direction(), real(0, pi / 2)};
-  const BestSpatialPosture best = best_posture(scenarios, settings);
+  const Best<3> best = best_posture(together(scenarios), settings);
   RC_ASSERT(fault(scenarios, best, settings, 200) == "");
 }
 
@@ -161,7 +169,7 @@ TEST(SpaceBest, IsCertifiedWhereFingersMustPress) {
     const std::vector<Grasp<3>> scenarios = {held.grasp()};
     SpatialSettings settings;
     settings.starts = 0;
-    const BestSpatialPosture best = best_posture(scenarios, settings);
+    const Best<3> best = best_posture(together(scenarios), settings);
     RC_ASSERT(fault(scenarios, best, settings, 300) == "");
     RC_ASSERT(best.status != Status::gap);
     ++tried;
@@ -179,11 +187,11 @@ RC_GTEST_PROP(SpaceBest, OfScenariosIsTheirWorstCase, ()) {
   const std::vector<Grasp<3>> scenarios = {held.grasp(), other.grasp()};
   SpatialSettings settings;
   settings.starts = 0;
-  const BestSpatialPosture best = best_posture(scenarios, settings);
+  const Best<3> best = best_posture(together(scenarios), settings);
   RC_ASSERT(fault(scenarios, best, settings, 300) == "");
-  if (!best.best) return;
-  RC_ASSERT(best.best->scenario_efforts.size() == 2U);
-  RC_ASSERT(close(effort_at(scenarios, best.best->up), best.best->effort(), 1e-9L));
+  if (!best.holdable()) return;
+  RC_ASSERT(best.best().holds.size() == 2U);
+  RC_ASSERT(close(effort_at(scenarios, best.best().up), best.best().effort(), 1e-9L));
 }
 
 RC_GTEST_PROP(SpaceBest, TurnsWithTheFrame, ()) {
@@ -192,10 +200,10 @@ RC_GTEST_PROP(SpaceBest, TurnsWithTheFrame, ()) {
   const Held turned = moved(held, random_rotation(), {coordinate(), coordinate(), coordinate()});
   SpatialSettings settings;
   settings.starts = 0;
-  const BestSpatialPosture a = best_posture(held.grasp(), settings);
-  const BestSpatialPosture b = best_posture(turned.grasp(), settings);
+  const Best<3> a = best_posture(held.grasp(), settings);
+  const Best<3> b = best_posture(turned.grasp(), settings);
   if (a.status == Status::optimal && b.status == Status::optimal)
-    RC_ASSERT(close(a.best->effort(), b.best->effort(), 3e-6L));
+    RC_ASSERT(close(a.best().effort(), b.best().effort(), 3e-6L));
 }
 
 TEST(SpaceBest, OfACylinderInThreeFingersIsFound) {
@@ -206,15 +214,15 @@ TEST(SpaceBest, OfACylinderInThreeFingersIsFound) {
     const Vector<3> out(std::cos(at), std::sin(at), 0);
     held.contacts.push_back(contact(out, -out, 0.8));
   }
-  const BestSpatialPosture best = best_posture(held.grasp());
+  const Best<3> best = best_posture(held.grasp());
   ASSERT_EQ(best.status, Status::optimal);
   EXPECT_LE(best.relative_gap, 1e-6);
-  EXPECT_LT(best.holds, 300);
+  EXPECT_LT(best.proof.holds, 300);
   ASSERT_FALSE(best.minima.empty());
-  EXPECT_NEAR(best.minima.front().effort(), best.best->effort(), 1e-6);
+  EXPECT_NEAR(best.minima.front().effort(), best.best().effort(), 1e-6);
   for (std::size_t i = 1; i < best.minima.size(); ++i)
-    EXPECT_GE(best.minima[i].effort(), best.best->effort() * (1 - 2e-6));
-  for (const SpatialPosture& minimum : best.minima) {
+    EXPECT_GE(best.minima[i].effort(), best.best().effort() * (1 - 2e-6));
+  for (const Minimum<3>& minimum : best.minima) {
     const auto across = tangents(minimum.up);
     for (int k = 0; k < 16; ++k)
       for (const double off : {1e-4, 1e-3}) {
@@ -223,9 +231,9 @@ TEST(SpaceBest, OfACylinderInThreeFingersIsFound) {
         EXPECT_GE(effort_at({held.grasp()}, beside.normalized()), minimum.effort() * (1 - 2e-6));
       }
   }
-  if (const SpatialPosture* pinched = best.best_pinched()) {
+  if (const Minimum<3>* pinched = best.best_pinched()) {
     EXPECT_EQ(pinched->manner, Manner::pinched);
-    EXPECT_TRUE(all_loaded(held.grasp(), pinched->hold));
+    EXPECT_TRUE(all_loaded(held.grasp(), pinched->hold(), held.grasp().weight()));
   }
 }
 
@@ -233,18 +241,18 @@ TEST(SpaceBest, OfTwoSoftJawsOnTheAxisEndsInBoundedTime) {
   // A whole circle of equal V round the axis of the jaws; but along it one finger carries all.
   Held held{{10, {0, 0, 0}},
             {contact({1, 0, 0}, {-1, 0, 0}, 0.3, 0.05), contact({-1, 0, 0}, {1, 0, 0}, 0.3, 0.05)}};
-  const BestSpatialPosture best = best_posture(held.grasp());
-  ASSERT_TRUE(best.best);
-  EXPECT_NEAR(std::abs(best.best->up.x()), 1, 1e-3);
+  const Best<3> best = best_posture(held.grasp());
+  ASSERT_TRUE(best.holdable());
+  EXPECT_NEAR(std::abs(best.best().up.x()), 1, 1e-3);
   // With friction above 1 the circle is best: 2 (1 + 1 / mu^2) 5^2 < 10^2.
   for (Contact<3>& c : held.contacts) c.friction = 2;
   SpatialSettings settings;
   settings.max_holds = 300;
-  const BestSpatialPosture circle = best_posture(held.grasp(), settings);
-  ASSERT_TRUE(circle.best);
-  EXPECT_LE(circle.holds, 310);
-  EXPECT_NEAR(circle.best->effort(), 62.5, 1e-2);
-  EXPECT_GE(circle.best->effort(), 62.5 * (1 - 1e-9));
+  const Best<3> circle = best_posture(held.grasp(), settings);
+  ASSERT_TRUE(circle.holdable());
+  EXPECT_LE(circle.proof.holds, 310);
+  EXPECT_NEAR(circle.best().effort(), 62.5, 1e-2);
+  EXPECT_GE(circle.best().effort(), 62.5 * (1 - 1e-9));
   EXPECT_LE(circle.lower_bound, 62.5 * (1 + 1e-9));
   EXPECT_GT(circle.lower_bound, 62);
 }
@@ -265,11 +273,11 @@ TEST(SpaceBest, OfTwoHardJawsIsInThePlaneThatTheyLeave) {
     const Hold<2> found = hold(plane, up_at(2 * pi * k / 200000));
     if (found.holdable) least = std::min(least, found.effort);
   }
-  const BestSpatialPosture best = best_posture(held.grasp());
-  ASSERT_TRUE(best.best);
+  const Best<3> best = best_posture(held.grasp());
+  ASSERT_TRUE(best.holdable());
   EXPECT_EQ(fault({held.grasp()}, best, {}, 2000), "");
-  EXPECT_NEAR(best.best->up.z(), 0, 1e-9);
-  EXPECT_NEAR(best.best->effort(), least, 1e-5 * least);
+  EXPECT_NEAR(best.best().up.z(), 0, 1e-9);
+  EXPECT_NEAR(best.best().effort(), least, 1e-5 * least);
   EXPECT_EQ(best.status, Status::optimal);
 }
 
@@ -288,13 +296,13 @@ TEST(SpaceBest, OfAVerySoftFingerIsInThePlaneThatItLeaves) {
     least = std::min(least, effort_at({held.grasp()}, std::cos(theta) * u + std::sin(theta) * v));
   }
   ASSERT_LT(least, 1e3);
-  const BestSpatialPosture best = best_posture(held.grasp());
-  ASSERT_TRUE(best.best);
+  const Best<3> best = best_posture(held.grasp());
+  ASSERT_TRUE(best.holdable());
   EXPECT_EQ(fault({held.grasp()}, best, {}, 2000), "");
   EXPECT_EQ(best.status, Status::optimal);
-  EXPECT_NEAR(best.best->up.dot(across), 0, 1e-11);
-  EXPECT_LE(best.best->effort(), least * (1 + 1e-6));
-  EXPECT_GE(best.best->effort(), 0.999 * least);  // the best is between two samples, at a border
+  EXPECT_NEAR(best.best().up.dot(across), 0, 1e-11);
+  EXPECT_LE(best.best().effort(), least * (1 + 1e-6));
+  EXPECT_GE(best.best().effort(), 0.999 * least);  // the best is between two samples, at a border
 }
 
 TEST(SpaceBest, OfAFrictionlessFingerBesideOthersAtOnePointIsOnTheLineThroughThem) {
@@ -306,11 +314,11 @@ TEST(SpaceBest, OfAFrictionlessFingerBesideOthersAtOnePointIsOnTheLineThroughThe
   const double least =
       std::min(effort_at({held.grasp()}, arm), effort_at({held.grasp()}, Vector<3>(-arm)));
   ASSERT_LT(least, 1e3);
-  const BestSpatialPosture best = best_posture(held.grasp());
-  ASSERT_TRUE(best.best);
+  const Best<3> best = best_posture(held.grasp());
+  ASSERT_TRUE(best.holdable());
   EXPECT_EQ(fault({held.grasp()}, best, {}, 2000), "");
   EXPECT_EQ(best.status, Status::optimal);
-  EXPECT_NEAR(best.best->effort(), least, 1e-9 * least);
+  EXPECT_NEAR(best.best().effort(), least, 1e-9 * least);
 }
 
 TEST(SpaceBest, OfOneFingerAtTheComThatMayNotPressHardIsBesideItsNormal) {
@@ -321,11 +329,11 @@ TEST(SpaceBest, OfOneFingerAtTheComThatMayNotPressHardIsBesideItsNormal) {
     Held held{{weight, {0.1, 0.2, 0.3}}, {contact({0.1, 0.2, 0.3}, {0, 0.6, 0.8}, mu)}};
     held.contacts[0].max_normal = most;
     held.contacts[0].share = 0.5;
-    const BestSpatialPosture best = best_posture(held.grasp());
-    ASSERT_TRUE(best.best) << most;
-    EXPECT_NEAR(best.best->effort(), weight * weight / 0.5, 1e-9 * weight * weight) << most;
-    EXPECT_LE(weight * best.best->up.dot(Vector<3>(0, 0.6, 0.8)), most * (1 + 1e-9)) << most;
-    EXPECT_LE(best.holds, 2010) << most;
+    const Best<3> best = best_posture(held.grasp());
+    ASSERT_TRUE(best.holdable()) << most;
+    EXPECT_NEAR(best.best().effort(), weight * weight / 0.5, 1e-9 * weight * weight) << most;
+    EXPECT_LE(weight * best.best().up.dot(Vector<3>(0, 0.6, 0.8)), most * (1 + 1e-9)) << most;
+    EXPECT_LE(best.proof.holds, 2010) << most;
   }
 }
 
@@ -345,28 +353,28 @@ TEST(SpaceBest, IsFoundWhereFewPosturesHold) {
     held_in += effort_at({held.grasp()}, up) < std::numeric_limits<double>::infinity() ? 1 : 0;
   ASSERT_GT(held_in, 0);
   ASSERT_LT(held_in, 200);
-  const BestSpatialPosture best = best_posture(held.grasp());
-  ASSERT_TRUE(best.best);
+  const Best<3> best = best_posture(held.grasp());
+  ASSERT_TRUE(best.holdable());
   EXPECT_EQ(fault({held.grasp()}, best, {}, 20000), "");
   EXPECT_EQ(best.status, Status::optimal);
 }
 
 TEST(SpaceBest, OfOneFrictionlessFingerIsUprightOnIt) {
   const Held held{{2, {0, 0, 1}}, {contact({0, 0, 0}, {0, 0, 1}, 0)}};
-  const BestSpatialPosture best = best_posture(held.grasp());
-  ASSERT_TRUE(best.best);
-  EXPECT_NEAR((best.best->up - Vector<3>(0, 0, 1)).norm(), 0, 1e-9);
-  EXPECT_NEAR(best.best->effort(), 4, 1e-9);
+  const Best<3> best = best_posture(held.grasp());
+  ASSERT_TRUE(best.holdable());
+  EXPECT_NEAR((best.best().up - Vector<3>(0, 0, 1)).norm(), 0, 1e-9);
+  EXPECT_NEAR(best.best().effort(), 4, 1e-9);
 }
 
 TEST(SpaceBest, OfWhatCannotBeHeldIsProven) {
   // A frictionless contact whose line misses the com.
   const Held held{{2, {0.1, 0, 1}}, {contact({0, 0, 0}, {0, 0, 1}, 0)}};
-  const BestSpatialPosture best = best_posture(held.grasp());
+  const Best<3> best = best_posture(held.grasp());
   EXPECT_EQ(best.status, Status::unholdable);
-  EXPECT_FALSE(best.best);
+  EXPECT_FALSE(best.holdable());
   EXPECT_GT(best.lower_bound, 4e12);
-  EXPECT_FALSE(best.cuts.empty());
+  EXPECT_FALSE(best.proof.cuts.empty());
 }
 
 TEST(SpaceBest, OfATiltedTrayStaysWithinTheTilt) {
@@ -377,18 +385,18 @@ TEST(SpaceBest, OfATiltedTrayStaysWithinTheTilt) {
   }
   SpatialSettings free, tilted;
   const std::vector<Grasp<3>> scenarios = {held.grasp()};
-  const BestSpatialPosture any = best_posture(scenarios, free);
-  ASSERT_TRUE(any.best);
+  const Best<3> any = best_posture(together(scenarios), free);
+  ASSERT_TRUE(any.holdable());
   tilted.tilt = Tilt{Vector<3>(0.3, 0, 1).normalized(), 0.1};
-  const BestSpatialPosture within = best_posture(scenarios, tilted);
-  ASSERT_TRUE(within.best);
+  const Best<3> within = best_posture(together(scenarios), tilted);
+  ASSERT_TRUE(within.holdable());
   EXPECT_EQ(within.status, Status::optimal);
   EXPECT_EQ(fault(scenarios, within, tilted, 5000), "");
-  EXPECT_GE(within.best->effort(), any.best->effort() * (1 - 1e-9));
+  EXPECT_GE(within.best().effort(), any.best().effort() * (1 - 1e-9));
   tilted.tilt->most = 0;
-  const BestSpatialPosture fixed = best_posture(scenarios, tilted);
-  ASSERT_TRUE(fixed.best);
-  EXPECT_NEAR((fixed.best->up - tilted.tilt->from).norm(), 0, 1e-9);
+  const Best<3> fixed = best_posture(together(scenarios), tilted);
+  ASSERT_TRUE(fixed.holdable());
+  EXPECT_NEAR((fixed.best().up - tilted.tilt->from).norm(), 0, 1e-9);
   EXPECT_EQ(fixed.status, Status::optimal);
 }
 
@@ -407,10 +415,10 @@ TEST(SpaceBest, WithinANarrowTiltIsCertifiedForTwoScenarios) {
   SpatialSettings settings;
   settings.tilt = Tilt{Vector<3>(0.88603639958247582, -0.21625453505887518, 0.41008959348097718),
                        3.312 * pi / 180};
-  const BestSpatialPosture best = best_posture(scenarios, settings);
+  const Best<3> best = best_posture(together(scenarios), settings);
   EXPECT_EQ(best.status, Status::optimal);
   EXPECT_EQ(fault(scenarios, best, settings, 2000), "");
-  for (const SpatialPosture& minimum : best.minima)
+  for (const Minimum<3>& minimum : best.minima)
     EXPECT_LE(std::acos(minimum.up.dot(settings.tilt->from)), settings.tilt->most + 1e-8);
 }
 
@@ -424,8 +432,8 @@ TEST(SpaceBest, WhereStepsOverflowIsAPosture) {
   held.contacts[0].min_normal = 0.49175;
   SpatialSettings settings;
   settings.max_holds = 300;
-  const BestSpatialPosture best = best_posture({held.grasp()}, settings);
-  ASSERT_TRUE(best.best);
+  const Best<3> best = best_posture(held.grasp(), settings);
+  ASSERT_TRUE(best.holdable());
   EXPECT_EQ(fault({held.grasp()}, best, settings, 300), "");
 }
 
@@ -442,7 +450,7 @@ TEST(SpaceBest, WithLimitsIsHonest) {
     const std::vector<Grasp<3>> scenarios = {held.grasp()};
     SpatialSettings settings;
     settings.starts = 0;
-    const BestSpatialPosture best = best_posture(scenarios, settings);
+    const Best<3> best = best_posture(together(scenarios), settings);
     EXPECT_EQ(fault(scenarios, best, settings, 2000), "") << round;
     if (round % 2 == 0) {
       EXPECT_NE(best.status, Status::gap) << round << ' ' << best.relative_gap;
@@ -468,11 +476,8 @@ TEST(SpaceBest, SmallestTurnTakesUpToTheTop) {
 
 TEST(SpaceBest, RefusesMisuse) {
   const Held held{{2, {0, 0, 1}}, {contact({0, 0, 0}, {0, 0, 1}, 0)}};
-  Held other = held;
-  other.contacts[0].friction = 1;
   SpatialSettings settings;
-  EXPECT_THROW(best_posture({held.grasp(), other.grasp()}), InvalidGrasp);
-  EXPECT_THROW(best_posture(std::vector<Grasp<3>>{}), InvalidGrasp);
+  EXPECT_THROW(Grasp<3>(std::vector<Load<3>>{}, held.contacts), InvalidGrasp);
   settings.gap = 0;
   EXPECT_THROW(best_posture(held.grasp(), settings), InvalidGrasp);
   settings.gap = 1e-6;

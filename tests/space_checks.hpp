@@ -41,9 +41,9 @@ inline Real3 force_vector(const Contact<3>& contact, const Force& f) {
 }
 
 inline Real6 load_at(const Grasp<3>& grasp, const Vector<3>& up) {
-  const Real3 force = Real{grasp.object().weight} * up.cast<Real>();
+  const Real3 force = Real{grasp.weight()} * up.cast<Real>();
   Real6 load;
-  load << force, grasp.object().com.cast<Real>().cross(force);
+  load << force, grasp.center().cast<Real>().cross(force);
   return load;
 }
 
@@ -118,13 +118,13 @@ inline Real dual_bound(const Grasp<3>& grasp, const Real6& w, const Twist<3>& y)
 /// The same for forces that balance w within the tolerance.
 inline Real proven_effort(const Grasp<3>& grasp, const Real6& w, const Twist<3>& y) {
   const Real3 omega = y.tail<3>().cast<Real>();
-  const Real3 v = y.head<3>().cast<Real>() + omega.cross(grasp.object().com.cast<Real>());
+  const Real3 v = y.head<3>().cast<Real>() + omega.cross(grasp.center().cast<Real>());
   const Real size = v.norm() + grasp.radius() * omega.norm();
-  return dual_bound(grasp, w, y) - 2 * balance_tolerance * grasp.object().weight * size;
+  return dual_bound(grasp, w, y) - 2 * balance_tolerance * grasp.weight() * size;
 }
 
 inline Real squared_cap(const Grasp<3>& grasp, double force_cap) {
-  const Real cap = Real{force_cap} * grasp.object().weight;
+  const Real cap = Real{force_cap} * grasp.weight();
   return cap * cap;
 }
 
@@ -143,7 +143,7 @@ inline Real effort_of(const Grasp<3>& grasp, const std::vector<Force>& forces) {
 
 /// The larger of force / W and moment / (W L) that is left over, the moment about the com.
 inline Real imbalance(const Grasp<3>& grasp, const Real6& w, const std::vector<Force>& forces) {
-  const Real3 com = grasp.object().com.cast<Real>();
+  const Real3 com = grasp.center().cast<Real>();
   Real3 force = w.head<3>(), moment = w.tail<3>() - com.cross(force);
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const Contact<3>& contact = grasp.contacts()[i];
@@ -152,7 +152,7 @@ inline Real imbalance(const Grasp<3>& grasp, const Real6& w, const std::vector<F
     moment -=
         (contact.position.cast<Real>() - com).cross(f) + forces[i].moment * normal_of(contact);
   }
-  const Real weight = grasp.object().weight, length = grasp.radius();
+  const Real weight = grasp.weight(), length = grasp.radius();
   return std::max(force.norm() / weight, length > 0 ? moment.norm() / (weight * length) : Real{0});
 }
 
@@ -163,7 +163,7 @@ inline bool close(Real a, Real b, Real relative, Real absolute = 0) {
 /// What is wrong with one contact force as it is reported, or nothing.
 inline std::string fault(const Grasp<3>& grasp, std::size_t i, const ContactForce<3>& f) {
   const Contact<3>& contact = grasp.contacts()[i];
-  const double weight = grasp.object().weight;
+  const double weight = grasp.weight();
   const Real most = contact.friction * Real{f.normal};
   const Real side = beside(contact, {f.normal, f.tangential.cast<Real>(), f.torsion_moment});
   const bool loaded = f.normal > 1e-9 * weight;
@@ -190,7 +190,7 @@ inline std::string fault(const Grasp<3>& grasp, const Real6& w, const Hold<3>& h
           << static_cast<double>(expected);
     return words.str();
   };
-  const Real weight = grasp.object().weight;
+  const Real weight = grasp.weight();
   if (!hold.holdable) {
     if (!hold.forces.empty() || hold.effort != 0) return "an unholdable load has forces";
     const Real proven = proven_effort(grasp, w, hold.dual), cap = squared_cap(grasp, force_cap);

@@ -54,7 +54,7 @@ RC_GTEST_PROP(SpaceHold, OfAnyWrenchFromAnyStartIsTheSame, ()) {
     w[k] = weight * coordinate();
     start[k] = weight * coordinate();
   }
-  const Hold<3> cold = hold<3>(grasp, w, Twist<3>::Zero()), warm = hold<3>(grasp, w, start);
+  const Hold<3> cold = hold<3>(grasp, w, grasp.weight(), Twist<3>::Zero()), warm = hold<3>(grasp, w, grasp.weight(), start);
   RC_ASSERT(fault(grasp, Real6(w.cast<Real>()), cold) == "");
   RC_ASSERT(fault(grasp, Real6(w.cast<Real>()), warm) == "");
   RC_ASSERT(warm.holdable == cold.holdable);
@@ -172,7 +172,7 @@ TEST(SpaceHold, OfASqueezedBoxIsKnown) {
   EXPECT_NEAR((found.forces[0].tangential - 5 * up).norm(), 0, 1e-9);
   EXPECT_EQ(found.forces[0].state, ContactState::slipping);
   EXPECT_NEAR(grip_force(grasp, found), 10, 1e-9);
-  EXPECT_EQ(manner(grasp, up, found), Manner::pinched);
+  EXPECT_EQ(manner(grasp, grasp.loads().front(), up, found), Manner::pinched);
 }
 
 TEST(SpaceHold, OfABoxBetweenSoftFingersIsKnown) {
@@ -299,14 +299,14 @@ TEST(SpaceHold, InTheForkOfTheFingersIsCradled) {
     held.contacts.push_back(contact({std::cos(at), std::sin(at), 0}, {0, 0, 1}, 0.5));
   }
   const Grasp<3> tray = held.grasp();
-  EXPECT_TRUE(cradled(tray, {0, 0, 1}));
-  EXPECT_FALSE(cradled(tray, {0, 0, -1}));
-  EXPECT_TRUE(cradled(tray, Vector<3>(-0.49, 0, 1).normalized()));  // inside of the edge at -1/2
-  EXPECT_FALSE(cradled(tray, Vector<3>(0.51, 0, 1).normalized()));
-  EXPECT_EQ(manner(tray, {0, 0, 1}, hold(tray, Vector<3>(0, 0, 1))), Manner::cradled);
+  EXPECT_TRUE(cradled(tray, tray.center(), {0, 0, 1}));
+  EXPECT_FALSE(cradled(tray, tray.center(), {0, 0, -1}));
+  EXPECT_TRUE(cradled(tray, tray.center(), Vector<3>(-0.49, 0, 1).normalized()));  // inside of the edge at -1/2
+  EXPECT_FALSE(cradled(tray, tray.center(), Vector<3>(0.51, 0, 1).normalized()));
+  EXPECT_EQ(manner(tray, tray.loads().front(), {0, 0, 1}, hold(tray, Vector<3>(0, 0, 1))), Manner::cradled);
   held.object.com = {0, 0, 0};
-  EXPECT_FALSE(cradled(held.grasp(), {0, 0, 1}));
-  EXPECT_FALSE(cradled(squeezed(0.5).grasp(), {0, 0, 1}));
+  EXPECT_FALSE(cradled(held.grasp(), held.grasp().center(), {0, 0, 1}));
+  EXPECT_FALSE(cradled(squeezed(0.5).grasp(), squeezed(0.5).grasp().center(), {0, 0, 1}));
 }
 
 TEST(SpaceHold, ForceClosureNeedsThreePointsOrSoftFingers) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "poise/best_posture.hpp"
-#include "poise/best_spatial_posture.hpp"
+#include "poise/best_posture.hpp"
 #include "random_space_grasps.hpp"
 #include "space_checks.hpp"
 
@@ -15,22 +15,22 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Without the list of minima, and few holds, so that the awkward end soon: with a gap.
 SpatialSettings quick() { return {.max_holds = 200, .starts = 0}; }
 
-BestSpatialPosture best(const Held& held) { return best_posture(held.grasp(), quick()); }
+Best<3> best(const Held& held) { return best_posture(held.grasp(), quick()); }
 
-double effort_of(const BestSpatialPosture& answer) {
-  return answer.best ? answer.best->effort() : infinity;
+double effort_of(const Best<3>& answer) {
+  return answer.holdable() ? answer.best().effort() : infinity;
 }
 
 /// The answer leaves open that the least effort is at most `effort`.
-void at_most(const BestSpatialPosture& answer, double effort) {
+void at_most(const Best<3>& answer, double effort) {
   RC_ASSERT(answer.lower_bound <= effort * (1 + 1e-9));
   if (answer.status == Status::optimal) RC_ASSERT(effort_of(answer) <= effort * (1 + 1.01e-6));
 }
-void at_least(const BestSpatialPosture& answer, double effort) {
+void at_least(const Best<3>& answer, double effort) {
   RC_ASSERT(effort_of(answer) >= effort * (1 - 1e-9));
 }
 /// Both may be true, the first `times` as large.
-void agree(const BestSpatialPosture& a, const BestSpatialPosture& b, double times = 1) {
+void agree(const Best<3>& a, const Best<3>& b, double times = 1) {
   at_most(b, times * effort_of(a));
   at_least(b, times * a.lower_bound);
   if (a.status == Status::optimal) RC_ASSERT(b.status != Status::unholdable);
@@ -81,7 +81,7 @@ RC_GTEST_PROP(SpaceLaws, ShareMakesASplitContactNeutralToTheBest, ()) {
 RC_GTEST_PROP(SpaceLaws, MoreFrictionNeverCostsTheBest, ()) {
   if (!one_in(20)) return;
   Held held = *grasps();
-  const BestSpatialPosture before = best(held);
+  const Best<3> before = best(held);
   for (Contact<3>& c : held.contacts) {
     const double times = one_in(2) ? real(1, 2) : 1;
     c.friction *= times;
@@ -95,7 +95,7 @@ RC_GTEST_PROP(SpaceLaws, WiderLimitsNeverCost, ()) {
   const Vector<3> up = random_direction();
   const Hold<3> before = hold(held.grasp(), up);
   const bool also_best = one_in(20);
-  const BestSpatialPosture best_before = also_best ? best(held) : BestSpatialPosture{};
+  const Best<3> best_before = also_best ? best(held) : Best<3>{};
   for (Contact<3>& c : held.contacts) {
     if (one_in(2)) c.min_normal *= real(0, 1);
     if (one_in(2)) c.max_normal *= real(1, 3);
@@ -116,7 +116,7 @@ RC_GTEST_PROP(SpaceLaws, EffortIsConvexInTheLoad, ()) {
     a[k] = held.object.weight * coordinate();
     b[k] = held.object.weight * coordinate();
   }
-  const auto at = [&](const Wrench<3>& w) { return hold<3>(grasp, w, Twist<3>::Zero()); };
+  const auto at = [&](const Wrench<3>& w) { return hold<3>(grasp, w, grasp.weight(), Twist<3>::Zero()); };
   const Hold<3> one = at(a), other = at(b);
   if (!one.holdable || !other.holdable) return;
   if (std::sqrt(one.effort + other.effort) > 1000 * held.object.weight) return;
@@ -215,10 +215,10 @@ RC_GTEST_PROP(SpaceLaws, OfAPlanarGraspIsThatOfThePlane, ()) {
     contact.share = c.share;
     held.contacts.push_back(contact);
   }
-  const BestPosture plane = best_posture(flat.grasp());
-  const BestSpatialPosture space = best(held);
+  const Best<2> plane = best_posture(flat.grasp());
+  const Best<3> space = best(held);
   if (!plane.holdable()) {
-    RC_ASSERT(!space.best);
+    RC_ASSERT(!space.holdable());
     return;
   }
   const double effort = plane.best().hold.effort;

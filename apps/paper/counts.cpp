@@ -51,13 +51,13 @@ EllipseCounts count_ellipses(std::size_t ellipses, double off_centre, std::uint6
     };
     const double first = uniform(-pi, pi), second = uniform(-pi, pi);
     const double x = uniform(-off_centre, off_centre), y = uniform(-off_centre, off_centre);
-    const BestPosture best =
+    const Best<2> best =
         best_posture(Grasp<2>({1, {x, flat * y}}, {contact(first), contact(second)}));
     if (!best.holdable()) {
       ++counts.unholdable;
       continue;
     }
-    const PlanarPosture& lowest = best.best();
+    const Minimum<2>& lowest = best.best();
     if (lowest.manner == Manner::resting) {
       ++counts.resting;
     } else if (lowest.optimum.kind == Kind::smooth) {
@@ -68,7 +68,7 @@ EllipseCounts count_ellipses(std::size_t ellipses, double off_centre, std::uint6
       ++counts.kink;
       if (lowest.manner == Manner::pinched) ++counts.kink_pinched;
     }
-    if (const PlanarPosture* pinched = best.best_pinched()) {
+    if (const Minimum<2>* pinched = best.best_pinched()) {
       ++counts.pinched;
       if (pinched->edges_meet) ++counts.pinched_where_edges_meet;
     }

@@ -6,19 +6,19 @@ namespace poise::study {
 
 double effort_without_friction(const Grasp<2>& grasp, double theta) {
   const auto G = poise::grasp_matrix(grasp);
-  const Wrench<2> w = grasp.load(up_at(theta));
+  const Wrench<2> w = grasp.loads().front().at(up_at(theta));
   const Eigen::Matrix3d GGt = G * G.transpose();
   return w.dot(GGt.inverse() * w);
 }
 
 double best_without_friction(const Grasp<2>& grasp) {
   const auto& contacts = grasp.contacts();
-  return angle_of((contacts[0].position + contacts[1].position) / 2 - grasp.object().com);
+  return angle_of((contacts[0].position + contacts[1].position) / 2 - grasp.center());
 }
 
 std::vector<BothSlip> both_slip(const Grasp<2>& grasp) {
   const Contact<2>&one = grasp.contacts()[0], &two = grasp.contacts()[1];
-  const Vector<2> com = grasp.object().com;
+  const Vector<2> com = grasp.center();
   const auto edge = [](const Contact<2>& contact, double side) -> Vector<2> {
     const Vector<2>& n = contact.normal;
     return n + side * contact.friction * Vector<2>(-n.y(), n.x());
@@ -34,7 +34,7 @@ std::vector<BothSlip> both_slip(const Grasp<2>& grasp) {
           one.position + (lines.inverse() * (two.position - one.position)).x() * edges.col(0);
       for (const double sign : {-1.0, 1.0}) {  // the meeting point above or below
         const Vector<2> up = sign * (meet - com).normalized();
-        const Vector<2> normal = edges.inverse() * (grasp.object().weight * up);
+        const Vector<2> normal = edges.inverse() * (grasp.weight() * up);
         if (!(normal.minCoeff() > 0)) continue;
         result.push_back({.theta = angle_of(up),
                           .meet = meet,

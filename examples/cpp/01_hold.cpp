@@ -5,7 +5,7 @@
 
 int main() {
   // An L-shaped part of 0.13 kg, its upright leg between two fingers. Metres, newtons.
-  const poise::Object<2> part{.weight = 0.13 * poise::standard_gravity, .com = {0.02, 0.03}};
+  const poise::Load<2> part{.weight = 0.13 * poise::standard_gravity, .com = {0.02, 0.03}};
   const poise::Contact<2> left{
       .position = {0, 0.045}, .normal = {1, 0}, .friction = 0.6, .finger = "left"};
   const poise::Contact<2> right{

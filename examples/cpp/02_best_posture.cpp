@@ -6,7 +6,7 @@
 
 namespace {
 
-void print(const char* what, const poise::Grasp<2>& grasp, const poise::PlanarPosture& posture) {
+void print(const char* what, const poise::Grasp<2>& grasp, const poise::Minimum<2>& posture) {
   std::printf("%s: turned by %.2f degrees, %s: grip force %.3f N\n", what,
               posture.optimum.angle * 180 / std::numbers::pi, poise::to_string(posture.manner),
               poise::grip_force(grasp, posture.hold));
@@ -15,13 +15,13 @@ void print(const char* what, const poise::Grasp<2>& grasp, const poise::PlanarPo
 }  // namespace
 
 int main() {
-  const poise::Object<2> part{.weight = 0.13 * poise::standard_gravity, .com = {0.02, 0.03}};
+  const poise::Load<2> part{.weight = 0.13 * poise::standard_gravity, .com = {0.02, 0.03}};
   const poise::Contact<2> left{.position = {0, 0.045}, .normal = {1, 0}, .friction = 0.6};
   const poise::Contact<2> right{.position = {0.02, 0.045}, .normal = {-1, 0}, .friction = 0.6};
   const poise::Grasp<2> grasp(part, {left, right});
 
-  const poise::BestPosture best = poise::best_posture(grasp);
+  const poise::Best<2> best = poise::best_posture(grasp);
   print("best", grasp, best.best());
   print("best pinched", grasp, *best.best_pinched());
-  print("worst", grasp, *best.worst);
+  print("worst", grasp, *best.proof.worst);
 }

@@ -6,7 +6,7 @@
 
 int main() {
   // A cube of 1 kg between two slippery fingers that are not opposite to each other.
-  const poise::Object<2> cube{.weight = 9.80665, .com = {0, 0}};
+  const poise::Load<2> cube{.weight = 9.80665, .com = {0, 0}};
   const poise::Contact<2> left{.position = {-0.05, 0.02}, .normal = {1, 0}, .friction = 0.1};
   const poise::Contact<2> right{.position = {0.05, -0.02}, .normal = {-1, 0}, .friction = 0.1};
   const poise::Grasp<2> grasp(cube, {left, right});
@@ -18,7 +18,7 @@ int main() {
 
   // The proof is a motion y on which gravity works, and along which no finger can push back.
   const poise::Twist<2>& y = hold.dual;
-  std::printf("the weight drives it: %s\n", y.dot(grasp.load(up)) > 0 ? "yes" : "no");
+  std::printf("the weight drives it: %s\n", y.dot(grasp.loads().front().at(up)) > 0 ? "yes" : "no");
   const Eigen::VectorXd z = poise::grasp_matrix(grasp).transpose() * y;  // normal, tangential, ...
   double most = 0;
   for (Eigen::Index i = 0; i < z.size() / 2; ++i)

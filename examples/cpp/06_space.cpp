@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "poise/best_spatial_posture.hpp"
+#include "poise/best_posture.hpp"
 
 int main() {
   constexpr double degree = std::numbers::pi / 180;
@@ -25,14 +25,14 @@ int main() {
 
   // The posture whose worst scenario needs least, by at most 60 degrees from the present one.
   const poise::SpatialSettings settings{.gap = 1e-4, .tilt = poise::Tilt{now, 60 * degree}};
-  const poise::BestSpatialPosture best = poise::best_posture({bare, with_tool}, settings);
+  const poise::Best<3> best = poise::best_posture({bare, with_tool}, settings);
   std::printf("%s, proven to %.0e of the effort\n", poise::to_string(best.status), settings.gap);
-  for (const double effort : best.best->scenario_efforts)
+  for (const double effort : best.best().scenario_efforts)
     std::printf("force norm %.3f N\n", std::sqrt(effort));
-  std::printf("best: grip force %.3f N, %s\n", poise::grip_force(with_tool, best.best->hold),
-              poise::to_string(best.best->manner));
+  std::printf("best: grip force %.3f N, %s\n", poise::grip_force(with_tool, best.best().hold()),
+              poise::to_string(best.best().manner));
 
   const Eigen::Quaterniond turn =
-      poise::smallest_turn(Eigen::Quaterniond::Identity(), best.best->up);
+      poise::smallest_turn(Eigen::Quaterniond::Identity(), best.best().up);
   std::printf("turn by %.1f degrees\n", 2 * std::acos(turn.w()) / degree);
 }

@@ -1,6 +1,7 @@
 // A hand and the loads that it must hold.
 #pragma once
 
+#include <concepts>
 #include <vector>
 
 #include "poise/hand.hpp"
@@ -17,8 +18,10 @@ class Grasp : public Hand<Dim> {
   /// @param safety  every friction and torsion is divided by it, >= 1
   /// @throws InvalidGrasp where a number is not finite or out of its range, a normal has no length,
   ///         or there are no contacts or no loads.
-  Grasp(std::vector<Load<Dim>> loads, std::vector<Contact<Dim>> contacts, double safety = 1);
   Grasp(const Load<Dim>& load, std::vector<Contact<Dim>> contacts, double safety = 1);
+  /// A template, so that the braces of a load are never taken for those of a vector.
+  template <std::same_as<std::vector<Load<Dim>>> Loads>
+  Grasp(Loads loads, std::vector<Contact<Dim>> contacts, double safety = 1);
 
   const std::vector<Load<Dim>>& loads() const { return loads_; }
   /// The greatest weight of the loads [N].

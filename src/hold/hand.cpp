@@ -173,7 +173,8 @@ Wrench<Dim> Load<Dim>::at(const Vector<Dim>& up) const {
 }
 
 template <int Dim>
-Grasp<Dim>::Grasp(std::vector<Load<Dim>> loads, std::vector<Contact<Dim>> contacts, double safety)
+template <std::same_as<std::vector<Load<Dim>>> Loads>
+Grasp<Dim>::Grasp(Loads loads, std::vector<Contact<Dim>> contacts, double safety)
     : Hand<Dim>(std::move(contacts), checked(loads).front().com, safety), loads_(std::move(loads)) {
   for (const Load<Dim>& load : loads_) weight_ = std::max(weight_, load.weight);
 }
@@ -199,6 +200,8 @@ template struct Load<2>;
 template struct Load<3>;
 template class Grasp<2>;
 template class Grasp<3>;
+template Grasp<2>::Grasp(std::vector<Load<2>>, std::vector<Contact<2>>, double);
+template Grasp<3>::Grasp(std::vector<Load<3>>, std::vector<Contact<3>>, double);
 template Eigen::Matrix<double, 3, Eigen::Dynamic> grasp_matrix<2>(const Hand<2>&);
 template Eigen::Matrix<double, 6, Eigen::Dynamic> grasp_matrix<3>(const Hand<3>&);
 

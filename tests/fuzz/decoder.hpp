@@ -67,8 +67,8 @@ class Decoder {
   }
 
   template <int Dim>
-  Object<Dim> object() {
-    Object<Dim> result;
+  Load<Dim> object() {
+    Load<Dim> result;
     result.weight = positive();
     if (coin()) result.com = point<Dim>();
     return result;
@@ -76,7 +76,7 @@ class Decoder {
 
   /// Up to `most` contacts; `round` makes a point on a circle or a sphere.
   template <int Dim, class Round>
-  std::vector<Contact<Dim>> contacts(const Object<Dim>& object, int most, const Round& round) {
+  std::vector<Contact<Dim>> contacts(const Load<Dim>& object, int most, const Round& round) {
     std::vector<Contact<Dim>> result;
     const auto count = static_cast<std::size_t>(pick(1, most));
     while (result.size() < count) result.push_back(contact(object, result, round));
@@ -85,7 +85,7 @@ class Decoder {
 
  private:
   template <int Dim, class Round>
-  Contact<Dim> contact(const Object<Dim>& object, const std::vector<Contact<Dim>>& others,
+  Contact<Dim> contact(const Load<Dim>& object, const std::vector<Contact<Dim>>& others,
                        const Round& round) {
     Contact<Dim> c;
     if (!others.empty() && one_in(8)) c = others.back();  // the same again

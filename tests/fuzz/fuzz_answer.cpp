@@ -18,7 +18,7 @@ namespace {
 
 /// What a posture is asked for; printed where an answer is wrong.
 struct Question {
-  Object<2> object{};
+  Load<2> object{};
   std::vector<Contact<2>> contacts{};
   double safety{1};
   CurveSettings settings{};
@@ -61,7 +61,7 @@ class Judge {
   }
 
   void judge(const Hold<2>& hold, double at) const {
-    const double cap = question_.settings.force_cap * grasp_.object().weight;
+    const double cap = question_.settings.force_cap * grasp_.weight();
     demand(hold.dual.allFinite(), "hold: dual is finite", at);
     demand(std::isfinite(hold.lower_bound), "hold: lower_bound is finite", at);
     demand(std::isfinite(hold.effort) && hold.effort >= 0, "hold: effort is finite", at);
@@ -128,7 +128,7 @@ class Judge {
     judge(best.curve);
     demand(best.holdable() == !best.curve.arcs.empty(), "best: holdable", 0);
     demand(std::isfinite(best.lower_bound), "best: lower_bound is finite", 0);
-    for (const PlanarPosture& minimum : best.minima) judge(minimum.hold, minimum.optimum.angle);
+    for (const Minimum<2>& minimum : best.minima) judge(minimum.hold, minimum.optimum.angle);
     if (best.holdable())
       demand(best.lower_bound <= best.minima.front().optimum.effort * (1 + 1e-3),
              "best: lower_bound is one", best.lower_bound);
@@ -152,14 +152,14 @@ void ask(const Question& q, const Grasp<2>& grasp, Decoder& decoder) {
     const Hold<2> cold = hold(grasp, up_at(theta), settings);
     judge.judge(cold, theta);
     if (k == 0) judge.judge(hold_document(grasp, theta, cold, settings));
-    const Hold<2> warm = hold(grasp, grasp.load(up_at(theta)), y, settings);
+    const Hold<2> warm = hold(grasp, grasp.loads().front().at(up_at(theta)), y, settings);
     judge.judge(warm, theta);
     y = cold.dual;
   }
   const PostureCurve curve = posture_curve(grasp, q.settings);
   judge.judge(curve);
   judge.judge(curve_document(grasp, curve, q.settings));
-  const BestPosture best = best_posture(grasp, q.settings);
+  const Best<2> best = best_posture(grasp, q.settings);
   judge.judge(best);
   judge.judge(best_document(grasp, best, q.settings));
   PlanarFile file;

@@ -48,11 +48,11 @@ class Judge {
   /// The greatest effort [N^2]; infinite where weights are too large for squares.
   double squared(double force_cap) const {
     double heaviest = 0;
-    for (const Object<3>& object : file_.scenarios) heaviest = std::max(heaviest, object.weight);
+    for (const Load<3>& object : file_.scenarios) heaviest = std::max(heaviest, object.weight);
     return force_cap * heaviest * (force_cap * heaviest);
   }
 
-  void judge(const SpatialPosture& posture, double force_cap) const {
+  void judge(const Minimum<3>& posture, double force_cap) const {
     const Hold<3>& hold = posture.hold;
     demand(std::abs(posture.up.norm() - 1) <= 1e-9, "up is a unit vector");
     demand(hold.dual.allFinite(), "hold: dual is finite");
@@ -101,7 +101,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const Judge judge(file, !decoder.extreme());
   for (int k = 0; k < 2; ++k) {
-    const SpatialPosture held = hold_all(grasps, direction(decoder));
+    const Minimum<3> held = hold_all(grasps, direction(decoder));
     judge.judge(held, HoldSettings{}.force_cap);
     judge.judge(hold_document(grasps, held, {}));
   }
@@ -109,11 +109,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   settings.max_holds = 100;
   settings.starts = decoder.one_in(4) ? 8 : 0;
   settings.tilt = file.tilt;
-  const BestSpatialPosture best = best_posture(grasps, settings);
+  const Best<3> best = best_posture(grasps, settings);
   judge.demand(std::isfinite(best.lower_bound) || !std::isfinite(judge.squared(settings.force_cap)),
                "best: lower_bound is finite");
-  if (best.best) judge.judge(*best.best, settings.force_cap);
-  for (const SpatialPosture& minimum : best.minima) judge.judge(minimum, settings.force_cap);
+  if (best.holdable()) judge.judge(best.best(), settings.force_cap);
+  for (const Minimum<3>& minimum : best.minima) judge.judge(minimum, settings.force_cap);
   judge.judge(best_document(grasps, best, settings, orientation_of(direction(decoder))));
   return 0;
 }

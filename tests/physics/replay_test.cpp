@@ -103,7 +103,7 @@ TEST(Replay, LeastInternalForceOfTheDiskIsThatOfTheSimulator) {
     Eigen::Matrix<double, 6, 6> forces;  // a hard finger has no moment
     forces << G.middleCols<3>(0), G.middleCols<3>(4);
     const Eigen::Matrix<double, 6, 1> F_T =
-        forces.completeOrthogonalDecomposition().solve(grasp.load(up));
+        forces.completeOrthogonalDecomposition().solve(grasp.loads().front().at(up));
     const double F_N = std::sin(row.phi) / std::sqrt(2.0);  // its normal part, the same at both
     const double claimed = std::sqrt(hold(grasp, up).effort - F_T.squaredNorm());
     double slips = 0.98 * claimed, holds = 1.02 * claimed;
