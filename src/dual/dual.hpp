@@ -98,8 +98,8 @@ template <class T>
 Face<T> face(const Cones<2, T>& cones, std::size_t contact, const Eigen::Matrix<T, 2, 1>& z) {
   const ContactLane<2, T>& c = cones.lanes[contact / lane_size_of<T>];
   const std::size_t k = contact % lane_size_of<T>;
-  return face<T>(element(c.mu, k), element(c.edge, k), element(c.lo, k) * cones.per_weight,
-                 element(c.hi, k) * cones.per_weight, z);
+  return face<T>(element(c.mu, k), element(c.edge, k), cones.scaled(element(c.lo, k)),
+                 cones.scaled(element(c.hi, k)), z);
 }
 
 /// Evaluates the dual function of load w at y.

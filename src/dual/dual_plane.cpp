@@ -29,7 +29,7 @@ void evaluate_plane(const Cones<2, T>& cones, const Screw<2, T>& w, const Screw<
     const L along = (zn + c.mu * beside) * c.edge;  // normal force of z's projection to the edge
     L n = larger(zn, along);
     if constexpr (limited)
-      n = smaller(larger(n, L(c.lo * cones.per_weight)), L(c.hi * cones.per_weight));
+      n = smaller(larger(n, cones.scaled(c.lo)), cones.scaled(c.hi));
     else
       n = larger(n, L{});
     const L t = with_sign_of(zt, smaller(beside, L(c.mu * n)));
@@ -71,7 +71,7 @@ Square<2, T> curvature_plane(const Cones<2, T>& cones, const Point<2, T>& point)
     const auto inside = magnitude(zt) < c.mu * n;
     L free = c.edge;  // neither at its least nor at its greatest
     if constexpr (limited)
-      free = n > L(c.lo * cones.per_weight) ? (n < L(c.hi * cones.per_weight) ? free : zero) : zero;
+      free = n > cones.scaled(c.lo) ? (n < cones.scaled(c.hi) ? free : zero) : zero;
     else
       free = n > zero ? free : zero;
     // Inside, forces along x and y; on the edge those along it.
@@ -155,7 +155,7 @@ bool polish(const Cones<2>& cones, const Wrench<2>& w, double tolerance, Point<2
       const Face<> on = face<double>(cones, i, point.z(i));
       Vector<2> f = trial.f(i) + on.P * dz;
       // What is off its face by rounding goes back to it; by more, the face is not the right one.
-      const double n = std::clamp(f[0], c.lo[k] * cones.per_weight, c.hi[k] * cones.per_weight);
+      const double n = std::clamp(f[0], cones.scaled(c.lo[k]), cones.scaled(c.hi[k]));
       const double t = std::clamp(f[1], -c.mu[k] * n, c.mu[k] * n);
       if (std::abs(n - f[0]) > tolerance * scale || std::abs(t - f[1]) > tolerance * scale)
         return false;

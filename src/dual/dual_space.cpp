@@ -50,8 +50,8 @@ void evaluate_space(const Cones<3, T>& cones, const Screw<3, T>& w, const Screw<
     L within = zn;
     L lo{}, hi{};
     if constexpr (limited) {
-      lo = c.lo * cones.per_weight;
-      hi = c.hi * cones.per_weight;
+      lo = cones.scaled(c.lo);
+      hi = cones.scaled(c.hi);
       within = zn < lo ? lo : zn > hi ? hi : zn;
     }
     const auto inside = beside < c.mu * within;
@@ -98,7 +98,7 @@ Square<3, T> curvature_space(const Cones<3, T>& cones, const Point<3, T>& point)
     const auto inside = (za * za + zb * zb + zs * zs) * over < most;
     L free = n > zero ? one : zero;  // neither at its least nor at its greatest
     if constexpr (limited)
-      free = n > L(c.lo * cones.per_weight) ? (n < L(c.hi * cones.per_weight) ? one : zero) : zero;
+      free = n > cones.scaled(c.lo) ? (n < cones.scaled(c.hi) ? one : zero) : zero;
     const L kappa = inside ? one : most * over;
     const L edge = free * c.edge;
     L nn = edge - kappa, nd = edge * c.mu, dd = edge * c.mu * c.mu - kappa;

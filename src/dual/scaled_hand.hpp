@@ -107,8 +107,18 @@ template <int Dim, class T = double>
 struct Cones {
   std::size_t size;       ///< contacts
   bool limited;           ///< whether any contact has a force limit
-  double per_weight;      ///< 1 / W [1/N]: takes limits to the solver's units
+  double per_weight;      ///< 1 / W [1/N]
   std::span<const ContactLane<Dim, T>> lanes;
+
+  /// A limit of a contact's normal force, in the solver's units. Wide lanes have it so already: an
+  /// infinite one must not be multiplied there.
+  template <class Limit>
+  [[gnu::always_inline]] Limit scaled(const Limit& limit) const {
+    if constexpr (std::is_same_v<T, double>)
+      return limit * per_weight;
+    else
+      return limit;
+  }
 };
 
 /// Of two contacts.

@@ -64,8 +64,8 @@ ArcSolver<T>::ArcSolver(const Cones<2, T>& cones, const LoadCurve& load)
     contact.G = dual::columns<T>(cones, i);
     contact.mu = element(c.mu, k);
     contact.edge = element(c.edge, k);
-    contact.lo = element(c.lo, k) * cones.per_weight;
-    contact.hi = element(c.hi, k) * cones.per_weight;
+    contact.lo = cones.scaled(element(c.lo, k));
+    contact.hi = cones.scaled(element(c.hi, k));
   }
 }
 
