@@ -30,6 +30,8 @@ struct HoldAnswer {
   PostureOption option;
   HoldSettings settings;
   Posture<Dim> posture;
+  /// theta in the plane [rad], where it is known better than from posture.up.
+  std::optional<double> angle{};
 };
 
 template <int Dim>

@@ -3,13 +3,13 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "files/file_error.hpp"
 #include "gripper/gripper.hpp"
-#include "poise/best_spatial_posture.hpp"
-#include "poise/posture.hpp"
+#include "poise/best_posture.hpp"
 #include "shape/shape.hpp"
 
 namespace poise {
@@ -21,30 +21,30 @@ struct CommonFile {
   std::string name{};
   double safety{1};
   std::optional<ShapeOf<Dim>> shape{};
+  std::vector<Load<Dim>> loads{};  ///< one; in space as many as the file has scenarios
   std::vector<Contact<Dim>> contacts{};
   /// What is allowed but looks like a mistake: whole lines, "FILE:LINE:COLUMN: path: words".
   std::vector<std::string> warnings{};
+
+  /// @throws InvalidGrasp
+  Grasp<Dim> grasp() const { return {loads, contacts, safety}; }
 };
 
 /// dimension: 2
 struct PlanarFile : CommonFile<2> {
-  Object<2> object{};
   std::optional<double> angle{};  ///< theta of the posture in which it is held now [rad]
   Domain domain{Domain::all};
-
-  Grasp<2> grasp() const { return {object, contacts, safety}; }
 };
 
 /// dimension: 3
 struct SpatialFile : CommonFile<3> {
-  std::vector<Object<3>> scenarios{};  ///< what the object may be: one, unless the file has several
-  std::optional<Vector<3>> up{};       ///< the posture in which it is held now
-  std::optional<Tilt> tilt{};          ///< the postures to choose from; none: all
-  std::optional<Gripper> gripper{};    ///< where the contacts come from, if the file has one
-
-  /// One for each scenario.
-  std::vector<Grasp<3>> grasps() const;
+  std::optional<Vector<3>> up{};     ///< the posture in which it is held now
+  std::optional<Tilt> tilt{};        ///< the postures to choose from; none: all
+  std::optional<Gripper> gripper{};  ///< where the contacts come from, if the file has one
 };
+
+template <int Dim>
+using FileOf = std::conditional_t<Dim == 2, PlanarFile, SpatialFile>;
 
 /// A grasp file, read and checked.
 using GraspFile = std::variant<PlanarFile, SpatialFile>;
