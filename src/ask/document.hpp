@@ -5,21 +5,32 @@
 #include <string>
 
 #include "ask/answer.hpp"
+#include "ask/claims.hpp"
 #include "files/grasp_file.hpp"
 
 namespace poise {
 
-/// An answer to a question about a grasp: one JSON document in lines of readable length.
+/// What the document of an answer claims.
+template <int Dim>
+HoldDocument<Dim> claims_of(const Grasp<Dim>& grasp, const HoldAnswer<Dim>& answer);
+template <int Dim>
+BestDocument<Dim> claims_of(const Grasp<Dim>& grasp, const BestAnswer<Dim>& answer);
+CurveDocument claims_of(const Grasp<2>& grasp, const CurveAnswer& answer);
+template <int Dim>
+CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Dim>& answer);
+
+/// A document in lines of readable length.
+template <class Claims>
+std::string text_of(Claims claims);
+/// The JSON document of a HoldAnswer, BestAnswer, CurveAnswer or CapacityAnswer.
+template <int Dim, class Answer>
+std::string document(const Grasp<Dim>& grasp, const Answer& answer) {
+  return text_of(claims_of(grasp, answer));
+}
+/// That of what was read.
 template <int Dim>
 std::string document(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                      const CheckAnswer<Dim>& answer);
-template <int Dim>
-std::string document(const Grasp<Dim>& grasp, const HoldAnswer<Dim>& answer);
-template <int Dim>
-std::string document(const Grasp<Dim>& grasp, const BestAnswer<Dim>& answer);
-std::string document(const Grasp<2>& grasp, const CurveAnswer& answer);
-template <int Dim>
-std::string document(const Grasp<Dim>& grasp, const CapacityAnswer<Dim>& answer);
 
 /// One answer of many: that of the documents above, but without what proves it (duals, arcs, cuts),
 /// minima beside the best ones, and what each contact does.

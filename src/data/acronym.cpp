@@ -65,7 +65,7 @@ SpatialFile Acronym::grasp(std::size_t n) const {
   SpatialFile result;
   result.name = std::filesystem::path(file_).stem().string() + ", grasp " + std::to_string(n);
   result.shape = shape_;
-  result.scenarios = {{.weight = data_.mass * standard_gravity, .com = data_.com}};
+  result.loads = {{.weight = data_.mass * standard_gravity, .com = data_.com}};
   result.contacts = contacts(jaw, surface_);
   result.gripper = jaw;
   for (const std::string& note : notes_)

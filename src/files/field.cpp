@@ -65,6 +65,18 @@ double Field::number() const {
   return number;
 }
 
+double Field::above_zero() const {
+  const double value = number();
+  if (!(value > 0)) fail("is " + number_text(value) + ", must be above 0");
+  return value;
+}
+
+double Field::at_least_zero() const {
+  const double value = number();
+  if (!(value >= 0)) fail("is " + number_text(value) + ", must be at least 0");
+  return value;
+}
+
 double Field::finite() const {
   const auto* number = std::get_if<double>(&value_->data);
   if (!number) must_be("a number");
@@ -93,7 +105,7 @@ const std::string& Field::text() const {
   return *text;
 }
 
-const std::string& Field::word(std::initializer_list<std::string_view> words) const {
+const std::string& Field::word(const std::vector<std::string_view>& words) const {
   const auto* text = std::get_if<std::string>(&value_->data);
   if (!text || std::find(words.begin(), words.end(), *text) == words.end())
     must_be(joined(words, " or "));

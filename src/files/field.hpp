@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +27,9 @@ class Field {
 
   /// The number: finite, and its square too.
   double number() const;
+  /// The same, above 0, or at least 0.
+  double above_zero() const;
+  double at_least_zero() const;
   /// The number: finite.
   double finite() const;
   bool truth() const;
@@ -36,7 +38,7 @@ class Field {
   /// A line of text, not empty.
   const std::string& text() const;
   /// One of these words.
-  const std::string& word(std::initializer_list<std::string_view> words) const;
+  const std::string& word(const std::vector<std::string_view>& words) const;
   template <int Dim>
   Vector<Dim> vector() const;
   std::vector<Field> list() const;

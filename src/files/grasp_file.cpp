@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "files/degrees.hpp"
 #include "files/field.hpp"
 #include "files/grasp_document.hpp"
 #include "files/gripper_field.hpp"
@@ -11,12 +12,6 @@
 
 namespace poise {
 namespace {
-
-/// In (-pi, pi].
-double radians(double degrees) {
-  const double turned = std::remainder(degrees, 360);
-  return (turned > -180 ? turned : 180) * 3.14159265358979323846 / 180;
-}
 
 void check_version(const Field& root) {
   if (root.find("poise_result")) root.fail("is a result, must be the grasp file that it is of");
@@ -144,12 +139,7 @@ std::string without_volume(const std::optional<ShapeOf<Dim>>& shape) {
   return "";
 }
 
-double above_zero(const Field& field) {
-  const double value = field.number();
-  if (!(value > 0)) field.fail("is " + number_text(value) + ", must be above 0");
-  return value;
-}
-
+/// [N], which may come out as 0 or too large.
 template <int Dim>
 double read_weight(const Field& object, const std::optional<ShapeOf<Dim>>& shape) {
   const auto weight = object.find("weight"), mass = object.find("mass");
@@ -161,86 +151,95 @@ double read_weight(const Field& object, const std::optional<ShapeOf<Dim>>& shape
                       ", must be one of them");
       if (const std::string why = without_volume<3>(shape); !why.empty())
         density->fail("needs a volume, but " + why + ": give weight or mass");
-      return above_zero(*density) * volume(*shape) * standard_gravity;
+      return density->above_zero() * volume(*shape) * standard_gravity;
     }
-  if (mass) return above_zero(*mass) * standard_gravity;
+  if (mass) return mass->above_zero() * standard_gravity;
   return object.get("weight", "a force [N], or give mass [kg]").number();
 }
 
 /// Weight and centre of mass.
 template <int Dim>
-Object<Dim> read_object(const Field& field, double unit, const std::optional<ShapeOf<Dim>>& shape) {
+Load<Dim> read_load(const Field& field, double unit, const std::optional<ShapeOf<Dim>>& shape) {
+  Load<Dim> load;
+  const std::string why = without_volume<Dim>(shape);
+  std::optional<Inertial> link;
   if constexpr (Dim == 3)
     if (const auto inertial = field.find("inertial")) {
       for (const char* key : {"weight", "mass", "density", "com"})
         if (const auto other = field.find(key))
           other->fail("is given as well as inertial, must be one of them");
-      const Inertial link = read_inertial(*inertial);
-      return {.weight = link.mass * standard_gravity, .com = link.com};
+      link = read_inertial(*inertial);
+      load.com = link->com;
     }
-  Object<Dim> object{.weight = read_weight<Dim>(field, shape)};
-  const std::string why = without_volume<Dim>(shape);
+  load.weight = link ? link->mass * standard_gravity : read_weight<Dim>(field, shape);
+  if (!(load.weight > 0) || !std::isfinite(load.weight * load.weight))
+    throw FileError(field.file(), field.follow("weight").place(), field.path() + ".weight",
+                    "is " + number_text(load.weight) + ", must be above 0");
+  if (link) return load;
   if (const auto com = field.find("com"); com || !why.empty())
-    object.com =
+    load.com =
         unit *
         field.get("com", std::string(coordinates<Dim>) + ", as " + why).template vector<Dim>();
   else
-    object.com = centroid(*shape);
-  return object;
+    load.com = centroid(*shape);
+  return load;
 }
 
-std::vector<Object<3>> read_scenarios(const Field& object, double unit,
-                                      const std::optional<Solid>& shape) {
+std::vector<Load<3>> read_scenarios(const Field& object, double unit,
+                                    const std::optional<Solid>& shape) {
   const auto list = object.find("scenarios");
-  if (!list) return {read_object<3>(object, unit, shape)};
+  if (!list) return {read_load<3>(object, unit, shape)};
   for (const char* key : {"weight", "mass", "density", "inertial", "com"})
     if (const auto field = object.find(key))
       field->fail("is given beside scenarios, must be given in each of them");
-  std::vector<Object<3>> scenarios;
+  std::vector<Load<3>> loads;
   for (const Field& scenario : list->list()) {
     scenario.mapping({"weight", "mass", "density", "inertial", "com"});
-    scenarios.push_back(read_object<3>(scenario, unit, shape));
+    loads.push_back(read_load<3>(scenario, unit, shape));
   }
-  if (scenarios.empty()) list->fail("is empty, must hold at least one scenario");
-  return scenarios;
+  if (loads.empty()) list->fail("is empty, must hold at least one scenario");
+  return loads;
 }
 
-double read_torsion(const Field& field, double friction) {
-  const double torsion = field.number();
-  if (!(torsion >= 0)) field.fail("is " + number_text(torsion) + ", must be at least 0");
-  if (torsion > 0 && friction == 0)
-    field.fail("is given for a frictionless contact, must be left out, or give friction above 0");
-  return torsion;
+template <int Dim>
+Keys contact_keys() {
+  Keys keys;
+  for_each_contact_field<Dim>([&](const char* name, auto) { keys.emplace_back(name); });
+  return keys;
+}
+
+void read_into(double& value, const Field& field) { value = field.number(); }
+void read_into(std::string& value, const Field& field) { value = field.text(); }
+template <int Dim>
+void read_into(Eigen::Matrix<double, Dim, 1>& value, const Field& field) {
+  value = field.vector<Dim>();
+}
+
+void check_torsion(const Field& torsion, double friction) {
+  if (torsion.at_least_zero() > 0 && friction == 0)
+    torsion.fail("is given for a frictionless contact, must be left out, or give friction above 0");
 }
 
 template <int Dim>
 Contact<Dim> read_contact(const Field& field, double unit, bool outward,
                           const std::optional<ShapeOf<Dim>>& shape) {
-  check_keys<Dim>(field,
-                  {"position", "normal", "friction", "min_normal", "max_normal", "share", "finger"},
-                  {}, {"torsion"});
-  Contact<Dim> contact;
+  check_keys<Dim>(field, {}, contact_keys<2>(), contact_keys<3>());
   const Field position = field.get("position", coordinates<Dim>);
-  contact.position = unit * position.template vector<Dim>();
-  contact.friction = field.get("friction", "a number").number();
-  if (const auto least = field.find("min_normal")) contact.min_normal = least->number();
-  if (const auto most = field.find("max_normal")) contact.max_normal = most->number();
-  if (const auto share = field.find("share")) contact.share = share->number();
-  if (const auto finger = field.find("finger")) contact.finger = finger->text();
-  if constexpr (Dim == 3)
-    if (const auto torsion = field.find("torsion"))
-      contact.torsion = unit * read_torsion(*torsion, contact.friction);
-  if (shape && !field.find("normal")) {
-    try {
-      contact.normal = inward_normal(*shape, contact.position);
-    } catch (const NoNormal& error) {
-      position.fail(error.what());
-    }
-  } else {
-    const Vector<Dim> normal =
-        field.get("normal", std::string(coordinates<Dim>) + ", as there is no shape")
-            .template vector<Dim>();
-    contact.normal = outward ? -normal : normal;
+  field.get("friction", "a number");
+  Contact<Dim> contact;
+  for_each_contact_field<Dim>([&](const char* name, auto member) {
+    if (const auto given = field.find(name)) read_into(contact.*member, *given);
+  });
+  contact.position *= unit;
+  if (const auto torsion = field.find("torsion")) check_torsion(*torsion, contact.friction);
+  contact.torsion *= unit;
+  if (!shape) field.get("normal", std::string(coordinates<Dim>) + ", as there is no shape");
+  if (outward) contact.normal = -contact.normal;
+  if (field.find("normal")) return contact;
+  try {
+    contact.normal = inward_normal(*shape, contact.position);
+  } catch (const NoNormal& error) {
+    position.fail(error.what());
   }
   return contact;
 }
@@ -302,23 +301,14 @@ void close_gripper(const Field& root, const Field& gripper, double unit, Spatial
   }
 }
 
+/// Checks the grasp, and adds what is doubtful in it to the warnings.
 template <int Dim>
-void add_doubts(CommonFile<Dim>& file, const std::vector<Grasp<Dim>>& grasps, const Field& root) {
-  const std::vector<std::string> lines = doubts<Dim>(file, grasps, root);
-  file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
-}
-
-/// The grasp of an object, which is written at `object_path`, by the contacts of a file.
-template <int Dim>
-Grasp<Dim> checked_grasp(const Field& root, const Object<Dim>& object,
-                         const std::string& object_path, const CommonFile<Dim>& file) {
+void check_grasp(const Field& root, CommonFile<Dim>& file) {
   try {
-    return {object, file.contacts, file.safety};
+    const std::vector<std::string> lines = doubts<Dim>(file, file.grasp(), root);
+    file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
   } catch (const InvalidGrasp& error) {
-    std::string path = error.path();
-    if (const std::string own = "object"; path.starts_with(own + "."))
-      path.replace(0, own.size(), object_path);
-    throw FileError(root.file(), root.follow(path).place(), path, error.problem());
+    throw FileError(root.file(), root.follow(error.path()).place(), error.path(), error.problem());
   }
 }
 
@@ -330,9 +320,9 @@ PlanarFile read_planar(const Field& root) {
     file.domain = domain->word({"all", "pinched"}) == "all" ? Domain::all : Domain::pinched;
   const double unit = read_unit(root);
   const Field object = read_shape_of_object<2>(root, unit, file);
-  file.object = read_object<2>(object, unit, file.shape);
+  file.loads = {read_load<2>(object, unit, file.shape)};
   read_contacts<2>(root, unit, file);
-  add_doubts<2>(file, {checked_grasp<2>(root, file.object, "object", file)}, root);
+  check_grasp<2>(root, file);
   return file;
 }
 
@@ -345,25 +335,16 @@ SpatialFile read_spatial(const Field& root) {
     domain->fail("pinched is for the plane, must be all: best_pinched is shown anyway");
   const double unit = read_unit(root);
   const Field object = read_shape_of_object<3>(root, unit, file);
-  file.scenarios = read_scenarios(object, unit, file.shape);
+  file.loads = read_scenarios(object, unit, file.shape);
   if (const auto gripper = root.find("gripper"))
     close_gripper(root, *gripper, unit, file);
   else
     read_contacts<3>(root, unit, file);
-  std::vector<Grasp<3>> grasps;
-  for (std::size_t k = 0; k < file.scenarios.size(); ++k)
-    grasps.push_back(checked_grasp<3>(root, file.scenarios[k], object_path(root, k), file));
-  add_doubts<3>(file, grasps, root);
+  check_grasp<3>(root, file);
   return file;
 }
 
 }  // namespace
-
-std::vector<Grasp<3>> SpatialFile::grasps() const {
-  std::vector<Grasp<3>> all;
-  for (const Object<3>& object : scenarios) all.emplace_back(object, contacts, safety);
-  return all;
-}
 
 GraspFile grasp_from(const Document& document) {
   const Field root(document);

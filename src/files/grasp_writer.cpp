@@ -1,35 +1,23 @@
 #include "files/grasp_writer.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "files/degrees.hpp"
 #include "files/json_text.hpp"
-#include "files/result.hpp"
+#include "files/json_value.hpp"
 #include "readers/readers.hpp"
 
 namespace poise {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// Numbers without the sign of zero.
-template <class Numbers>
-Json list(const Numbers& numbers) {
-  Json result = Json::array();
-  for (const double value : numbers) result.push_back(value == 0 ? 0 : value);
-  return result;
-}
-
 template <int Dim>
 Json contact_value(const Contact<Dim>& contact) {
-  Json result = {{"position", list(contact.position)},
-                 {"normal", list(contact.normal)},
-                 {"friction", contact.friction}};
-  if (contact.torsion != 0) result["torsion"] = contact.torsion;
-  if (contact.min_normal != 0) result["min_normal"] = contact.min_normal;
-  if (std::isfinite(contact.max_normal)) result["max_normal"] = contact.max_normal;
-  if (contact.share != 1) result["share"] = contact.share;
-  if (!contact.finger.empty()) result["finger"] = contact.finger;
+  const Contact<Dim> plain;
+  Json result = Json::object();
+  for_each_contact_field<Dim>([&](const std::string& name, auto member) {
+    const bool needed = name == "position" || name == "normal" || name == "friction";
+    if (needed || contact.*member != plain.*member) result[name] = json_value(contact.*member);
+  });
   return result;
 }
 
@@ -49,14 +37,14 @@ Json head(const CommonFile<Dim>& file) {
 }
 
 template <int Dim>
-Json object_value(const Object<Dim>& object) {
-  return {{"weight", object.weight}, {"com", list(object.com)}};
+Json load_value(const Load<Dim>& load) {
+  return {{"weight", load.weight}, {"com", json_value(load.com)}};
 }
 
 Json pose_value(const char* type, const Pose& pose) {
   const Eigen::Quaterniond& q = pose.orientation;
   return {{"type", type},
-          {"position", list(pose.position)},
+          {"position", json_value(pose.position)},
           {"quaternion", {q.w(), q.x(), q.y(), q.z()}}};
 }
 
@@ -81,7 +69,7 @@ Json gripper_value(const Fingertips& hand) {
   value["rays"] = Json::array();
   for (const Fingertip& finger : hand.rays) {
     value["rays"].push_back(
-        {{"origin", list(finger.origin)}, {"direction", list(finger.direction)}});
+        {{"origin", json_value(finger.origin)}, {"direction", json_value(finger.direction)}});
     if (!finger.finger.empty()) value["rays"].back()["finger"] = finger.finger;
   }
   return with_forces(std::move(value), hand);
@@ -92,39 +80,40 @@ Json gripper_value(const Fingertips& hand) {
 Json shape_value(const Shape& shape) {
   if (const auto* disk = std::get_if<Disk>(&shape)) return {{"disk", {{"radius", disk->radius}}}};
   if (const auto* ellipse = std::get_if<Ellipse>(&shape))
-    return {{"ellipse", {{"radii", list(ellipse->radii)}}}};
+    return {{"ellipse", {{"radii", json_value(ellipse->radii)}}}};
   Json vertices = Json::array();
   for (const Vector<2>& vertex : std::get<Polygon>(shape).vertices)
-    vertices.push_back(list(vertex));
+    vertices.push_back(json_value(vertex));
   return {{"polygon", std::move(vertices)}};
 }
 
 Json shape_value(const Solid& solid) {
-  if (const auto* box = std::get_if<Box>(&solid)) return {{"box", {{"size", list(box->size)}}}};
+  if (const auto* box = std::get_if<Box>(&solid))
+    return {{"box", {{"size", json_value(box->size)}}}};
   if (const auto* cylinder = std::get_if<Cylinder>(&solid))
     return {{"cylinder", {{"radius", cylinder->radius}, {"height", cylinder->height}}}};
   if (const auto* sphere = std::get_if<Sphere>(&solid))
     return {{"sphere", {{"radius", sphere->radius}}}};
   if (const auto* ellipsoid = std::get_if<Ellipsoid>(&solid))
-    return {{"ellipsoid", {{"radii", list(ellipsoid->radii)}}}};
+    return {{"ellipsoid", {{"radii", json_value(ellipsoid->radii)}}}};
   const auto& mesh = std::get<MeshShape>(solid);
   return {{"mesh", {{"file", mesh.file}, {"scale", mesh.scale}}}};
 }
 
 Json tilt_value(const Tilt& tilt) {
-  return {{"from", list(tilt.from)}, {"max_deg", degrees(tilt.most)}};
+  return {{"from", json_value(tilt.from)}, {"max_deg", degrees(tilt.most)}};
 }
 
-std::string grasp_document(const SpatialFile& file, Held held, const std::string& folder) {
+std::string grasp_document(const SpatialFile& file, WriteAs as, const std::string& folder) {
   Json result = head(file);
-  if (file.up) result["up"] = list(*file.up);
+  if (file.up) result["up"] = json_value(*file.up);
   if (file.tilt) result["tilt"] = tilt_value(*file.tilt);
-  if (file.scenarios.size() == 1) {
-    result["object"] = object_value(file.scenarios.front());
+  if (file.loads.size() == 1) {
+    result["object"] = load_value(file.loads.front());
   } else {
     result["object"]["scenarios"] = Json::array();
-    for (const Object<3>& object : file.scenarios)
-      result["object"]["scenarios"].push_back(object_value(object));
+    for (const Load<3>& load : file.loads)
+      result["object"]["scenarios"].push_back(load_value(load));
   }
   if (file.shape) {
     Solid shape = *file.shape;
@@ -132,7 +121,7 @@ std::string grasp_document(const SpatialFile& file, Held held, const std::string
       mesh->file = path_from(folder, mesh->file);
     result["object"]["shape"] = shape_value(shape);
   }
-  if (held == Held::by_gripper && file.gripper)
+  if (as == WriteAs::gripper && file.gripper)
     result["gripper"] = std::visit([](const auto& g) { return gripper_value(g); }, *file.gripper);
   else
     result["contacts"] = contact_values(file.contacts);
@@ -141,7 +130,7 @@ std::string grasp_document(const SpatialFile& file, Held held, const std::string
 
 std::string mesh_document(const Mesh& mesh) {
   Json points = Json::array();
-  for (const Vector<3>& point : mesh.vertices) points.push_back(list(point));
+  for (const Vector<3>& point : mesh.vertices) points.push_back(json_value(point));
   return Json{{"points", std::move(points)}, {"triangles", mesh.triangles}}.dump();
 }
 
@@ -149,7 +138,7 @@ std::string grasp_document(const PlanarFile& file) {
   Json result = head(file);
   if (file.angle) result["angle_deg"] = degrees(*file.angle);
   if (file.domain == Domain::pinched) result["domain"] = "pinched";
-  result["object"] = object_value(file.object);
+  result["object"] = load_value(file.loads.front());
   if (file.shape) result["object"]["shape"] = shape_value(*file.shape);
   result["contacts"] = contact_values(file.contacts);
   return json_text(result);

@@ -13,8 +13,8 @@ std::string grasp_document(const PlanarFile& file);
 /// A grasp in space as a grasp file in JSON, in SI units; reading it gives the same grasp. It has
 /// the contacts, or instead of them the gripper if that is wanted and there is one. A mesh is
 /// named as seen from the folder in which the file will be ("": the present one).
-enum class Held { by_contacts, by_gripper };
-std::string grasp_document(const SpatialFile& file, Held held = Held::by_contacts,
+enum class WriteAs { contacts, gripper };
+std::string grasp_document(const SpatialFile& file, WriteAs as = WriteAs::contacts,
                            const std::string& folder = "");
 
 /// The mesh of a shape as {"points": [[x, y, z], ...], "triangles": [[i, j, k], ...]}, for drawing.

@@ -7,18 +7,6 @@
 namespace poise {
 namespace {
 
-double above_zero(const Field& field) {
-  const double value = field.number();
-  if (!(value > 0)) field.fail("is " + number_text(value) + ", must be above 0");
-  return value;
-}
-
-double at_least_zero(const Field& field) {
-  const double value = field.number();
-  if (!(value >= 0)) field.fail("is " + number_text(value) + ", must be at least 0");
-  return value;
-}
-
 Eigen::Quaterniond read_quaternion(const Field& field) {
   const std::vector<Field> parts = field.list();
   if (parts.size() != 4)
@@ -35,13 +23,13 @@ template <class Gripper>
 void read_common(const Field& field, double unit, Gripper& gripper) {
   if (const auto quaternion = field.find("quaternion"))
     gripper.pose.orientation = read_quaternion(*quaternion);
-  gripper.friction = at_least_zero(field.get("friction", "a number"));
+  gripper.friction = field.get("friction", "a number").at_least_zero();
   if (const auto torsion = field.find("torsion")) {
-    gripper.torsion = unit * at_least_zero(*torsion);
+    gripper.torsion = unit * torsion->at_least_zero();
     if (gripper.torsion > 0 && gripper.friction == 0)
       torsion->fail("is given without friction, must be left out, or give friction above 0");
   }
-  if (const auto force = field.find("max_force")) gripper.max_force = at_least_zero(*force);
+  if (const auto force = field.find("max_force")) gripper.max_force = force->at_least_zero();
 }
 
 int read_samples(const Field& field) {
@@ -57,12 +45,12 @@ ParallelJaw read_jaw(const Field& field, double unit) {
   ParallelJaw jaw;
   read_common(field, unit, jaw);
   jaw.pose.position = unit * field.get("position", coordinates<3>).vector<3>();
-  jaw.opening = unit * above_zero(field.get("opening", "the distance of the open pads"));
+  jaw.opening = unit * field.get("opening", "the distance of the open pads").above_zero();
   const Field pad = field.get("pad", "a mapping (keys: width, height, depth)");
   pad.mapping({"width", "height", "depth"});
-  jaw.width = unit * above_zero(pad.get("width", "a length"));
-  jaw.height = unit * above_zero(pad.get("height", "a length"));
-  if (const auto depth = pad.find("depth")) jaw.depth = unit * at_least_zero(*depth);
+  jaw.width = unit * pad.get("width", "a length").above_zero();
+  jaw.height = unit * pad.get("height", "a length").above_zero();
+  if (const auto depth = pad.find("depth")) jaw.depth = unit * depth->at_least_zero();
   if (const auto samples = field.find("samples")) jaw.samples = read_samples(*samples);
   return jaw;
 }

@@ -12,12 +12,6 @@ namespace {
   field.fail(shown(field.text()) + " " + problem);
 }
 
-double read_scale(const Field& field) {
-  const double scale = field.number();
-  if (!(scale > 0)) field.fail("is " + number_text(scale) + ", must be above 0");
-  return scale;
-}
-
 }  // namespace
 
 MeshShape mesh_shape(const std::string& file, double scale, std::vector<std::string>& notes) {
@@ -42,7 +36,7 @@ MeshShape read_mesh_shape(const Field& field, double unit, std::vector<std::stri
   if (!field.is_text()) {
     field.mapping({"file", "scale"});
     file = field.get("file", "a file");
-    if (const auto given = field.find("scale")) scale = read_scale(*given);
+    if (const auto given = field.find("scale")) scale = given->above_zero();
   }
   try {
     std::vector<std::string> notes;

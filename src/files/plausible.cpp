@@ -4,12 +4,11 @@
 #include <cmath>
 #include <map>
 
+#include "files/degrees.hpp"
 #include "shape/number_text.hpp"
 
 namespace poise {
 namespace {
-
-constexpr double degree = 3.14159265358979323846 / 180;
 
 class Doubts {
   static constexpr std::size_t most = 100;  // nobody reads more
@@ -28,9 +27,7 @@ class Doubts {
   const Field& root_;
 };
 
-template <int Dim>
-void check_weight(Doubts& doubts, const Grasp<Dim>& grasp, const Field& object) {
-  const double weight = grasp.object().weight;
+void check_weight(Doubts& doubts, double weight, const Field& object) {
   if (weight < 1e-4 || weight > 1e5) {
     std::string key = "weight";
     for (const char* other : {"mass", "density", "inertial"})
@@ -66,7 +63,7 @@ void check_normal(Doubts& doubts, const std::string& path, const std::optional<S
       doubts.add(path + ".position",
                  "is " + number_text(b.distance, 3) + " m from the boundary of the shape");
     } else if (b.corner.empty()) {
-      const double angle = std::acos(std::clamp(b.normal.dot(contact.normal), -1.0, 1.0)) / degree;
+      const double angle = degrees(std::acos(std::clamp(b.normal.dot(contact.normal), -1.0, 1.0)));
       if (angle > 5)
         doubts.add(path + ".normal", "is " + number_text(angle, 3) +
                                          " degrees away from the inward normal of the shape");
@@ -81,25 +78,26 @@ void check_normal(Doubts& doubts, const std::string& path, const std::optional<S
                "normals: outward");
 }
 
-}  // namespace
-
+/// The path of the object in a scenario: "object", or "object.scenarios[1]" where there are some.
 std::string object_path(const Field& root, std::size_t scenario) {
   return root.follow("object").find("scenarios")
              ? "object.scenarios[" + std::to_string(scenario) + "]"
              : "object";
 }
 
+}  // namespace
+
 template <int Dim>
-std::vector<std::string> doubts(const CommonFile<Dim>& file, const std::vector<Grasp<Dim>>& grasps,
+std::vector<std::string> doubts(const CommonFile<Dim>& file, const Grasp<Dim>& grasp,
                                 const Field& root) {
   Doubts doubts(root);
-  const Grasp<Dim>& grasp = grasps.front();
-  for (std::size_t k = 0; k < grasps.size(); ++k)
-    check_weight(doubts, grasps[k], root.follow(object_path(root, k)));
+  const std::vector<Load<Dim>>& loads = grasp.loads();
+  for (std::size_t k = 0; k < loads.size(); ++k)
+    check_weight(doubts, loads[k].weight, root.follow(object_path(root, k)));
   const bool gripped = root.find("gripper").has_value();
   check_radius(doubts, grasp, gripped ? "gripper" : "contacts");
-  for (std::size_t k = 0; k < grasps.size() && file.shape; ++k)
-    check_com<Dim>(doubts, grasps[k].object().com, *file.shape, object_path(root, k));
+  for (std::size_t k = 0; k < loads.size() && file.shape; ++k)
+    check_com<Dim>(doubts, loads[k].com, *file.shape, object_path(root, k));
 
   std::map<std::vector<double>, std::size_t> positions;
   for (std::size_t i = 0; i < file.contacts.size(); ++i) {
@@ -107,7 +105,7 @@ std::vector<std::string> doubts(const CommonFile<Dim>& file, const std::vector<G
     const std::string path = gripped ? "gripper" : "contacts[" + std::to_string(i) + "]";
     const Contact<Dim>& contact = grasp.contacts()[i];
     if (root.follow(path).find("normal"))
-      check_normal<Dim>(doubts, path, file.shape, contact, grasp.object().com);
+      check_normal<Dim>(doubts, path, file.shape, contact, grasp.center());
     if (file.contacts[i].friction > 3)
       doubts.add(path + ".friction", "is " + number_text(file.contacts[i].friction) +
                                          ", uncommonly high: is it an angle?");
@@ -117,8 +115,8 @@ std::vector<std::string> doubts(const CommonFile<Dim>& file, const std::vector<G
                    "is " + number_text(file.contacts[i].torsion, 3) +
                        " m, more than the size of the grasp: it is a length, about the size of "
                        "the touching area");
-    const Vector<Dim>& at = contact.position;
-    const auto [first, is_new] = positions.try_emplace({at.begin(), at.end()}, i);
+    const Vector<Dim>& r = contact.position;
+    const auto [first, is_new] = positions.try_emplace({r.begin(), r.end()}, i);
     if (!is_new)
       doubts.add(path + ".position",
                  "is the same as that of contacts[" + std::to_string(first->second) + "]");
@@ -126,9 +124,7 @@ std::vector<std::string> doubts(const CommonFile<Dim>& file, const std::vector<G
   return doubts.lines;
 }
 
-template std::vector<std::string> doubts<2>(const CommonFile<2>&, const std::vector<Grasp<2>>&,
-                                            const Field&);
-template std::vector<std::string> doubts<3>(const CommonFile<3>&, const std::vector<Grasp<3>>&,
-                                            const Field&);
+template std::vector<std::string> doubts(const CommonFile<2>&, const Grasp<2>&, const Field&);
+template std::vector<std::string> doubts(const CommonFile<3>&, const Grasp<3>&, const Field&);
 
 }  // namespace poise

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -331,7 +332,7 @@ double winding(const Mesh& mesh, const Vector3d& point) {
     angle += 2 * std::atan2(a.dot(b.cross(c)),
                             la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
-  return angle / (4 * 3.14159265358979323846);
+  return angle / (4 * std::numbers::pi);
 }
 
 /// Whether the surface crosses itself, as seen just beneath some of its triangles, where it should

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace poise {
 namespace {
 
-const double least_cosine = std::cos(3.14159265358979323846 / 180);  // of what is one side
+const double least_cosine = std::cos(std::numbers::pi / 180);  // of what is one side
 
 /// The distance from a point to a segment.
 double to_segment(const Vector<3>& point, const Vector<3>& a, const Vector<3>& b) {

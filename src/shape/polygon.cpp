@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "shape/number_text.hpp"
 
@@ -117,7 +118,7 @@ AreaAndCentroid area_and_centroid(const Polygon& polygon) {
 double half_diagonal(const Polygon& polygon) { return scaled(polygon).scale; }
 
 Boundary<2> boundary_of(const Polygon& polygon, const Vector<2>& point) {
-  static const double one_degree = std::cos(std::acos(-1) / 180);
+  static const double one_degree = std::cos(std::numbers::pi / 180);
   const Scaled s = scaled(polygon);
   const double turn = area_and_centroid(s.polygon).signed_area > 0 ? 1 : -1;
   const Vector<2> p = (point - s.origin) / s.scale;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "shape/number_text.hpp"
 #include "shape/polygon.hpp"
@@ -10,7 +11,7 @@
 namespace poise {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // Bodies in space.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "shape/mesh_shape.hpp"
@@ -10,7 +11,7 @@
 namespace poise {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 // Up to here a point within the tolerance of one side is never within that of the opposite one.
 constexpr double most_slender = 5000;

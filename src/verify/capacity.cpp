@@ -1,138 +1,150 @@
-#include "verify/capacity.hpp"
-
 #include <cmath>
 #include <limits>
 
-#include "verify/hold.hpp"
+#include "verify/checks.hpp"
 
 namespace poise::verify {
 namespace {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
-constexpr Real rounding = 1e-9L;  ///< a force cap of 1e6 weights makes that of doubles felt
+constexpr Real loose = 1e-9L;  ///< a force cap of 1e6 weights makes that of doubles felt
 
-/// The grasp in one scenario and posture.
+/// The grasp with one load, in one posture.
 struct Case {
-  Held held;
+  RealGrasp grasp;
   Vec up;
   Real cap;  ///< [weights]
 
-  const Load& load() const { return held.loads.front(); }
+  const RealLoad& load() const { return grasp.loads.front(); }
 };
 
-Held of_weight(Held held, Real weight) {
-  held.loads.front().weight = weight;
-  return held;
+RealGrasp with_weight(RealGrasp grasp, Real weight) {
+  grasp.loads.front().weight = weight;
+  return grasp;
 }
 
 /// The contacts without max_normal alone.
-Held without_limits(Held held) {
-  for (Touch& contact : held.contacts) {
-    contact.lo = 0;
-    if (std::isfinite(contact.hi)) contact.hi = 0;
+RealGrasp without_limits(RealGrasp grasp) {
+  for (RealContact& contact : grasp.contacts) {
+    contact.least = 0;
+    if (std::isfinite(contact.most)) contact.most = 0;
   }
-  return held;
+  return grasp;
 }
 
-void check_held(Claims& claims, const Case& in, const Held& held, const Field& field, bool least) {
-  const HoldClaim hold = check_hold(claims, held, field, in.cap, least);
-  claims.check(field, "the hold is of the posture asked for", (hold.up - in.up).norm(), 1e-12L);
-  if (!least) claims.check(field, "at a limit there is a hold", hold.holdable);
+/// Checks a hold at a limit of what can be held: how little effort it takes loose leaves open.
+template <int Dim>
+void check_at_limit(Verdict& verdict, const Path& place, const Case& given, const RealGrasp& grasp,
+                    const std::optional<HoldClaim<Dim>>& hold) {
+  verdict.check(place, "at a limit there is a hold", hold && hold->holdable);
+  if (!hold) return;
+  check_hold(verdict, place, grasp, *hold, given.cap);
+  verdict.check(place, "the hold is of the posture asked for", (real(hold->up) - given.up).norm(),
+                1e-12L);
 }
 
-/// One end of the weights.
-Real check_bound(Claims& claims, const Case& in, const Field& weight, const std::string& end) {
-  const Field bound = weight.get(end + "_bound", "a weight [N]");
-  const bool greatest = end == "greatest";
-  if (greatest && bound.is_null()) return infinity;
-  const Real says = bound.finite();
-  if (!greatest && says == 0) return 0;
-  const Vec y = read_vector(weight.get(end + "_dual", "a twist"), in.held.wrench_size());
-  const WeightBound by = weight_bound(in.held, in.load(), in.up, y, in.cap);
-  const Real proven = by.fixed / by.gain;
-  if (greatest)
-    claims.check(bound, "no greater weight can be held, by its dual",
-                 by.gain > 0 ? proven - says : infinity, rounding * (says + in.load().weight));
-  else
-    claims.check(bound, "no smaller weight can be held, by its dual",
-                 by.gain < 0 ? says - proven : infinity, rounding * (says + in.load().weight));
-  return says;
+/// Checks the bounds of the weights that can be held, by their duals.
+template <int Dim>
+void check_bounds(Verdict& verdict, const Path& place, const Case& given,
+                  const WeightClaim<Dim>& claim) {
+  const auto proven = [&](const Twist<Dim>& dual) {
+    return weight_bound(given.grasp, given.load(), given.up, real(dual), given.cap);
+  };
+  if (claim.greatest_bound) {
+    const Real bound = *claim.greatest_bound;
+    const WeightBound proof = proven(claim.greatest_dual);
+    verdict.check(place / "greatest_bound", "no greater weight can be held, by its dual",
+                  proof.gain > 0 ? proof.fixed / proof.gain - bound : infinity,
+                  loose * (bound + given.load().weight));
+  }
+  if (claim.least_bound != 0) {
+    const Real bound = claim.least_bound;
+    const WeightBound proof = proven(claim.least_dual);
+    verdict.check(place / "least_bound", "no smaller weight can be held, by its dual",
+                  proof.gain < 0 ? bound - proof.fixed / proof.gain : infinity,
+                  loose * (bound + given.load().weight));
+  }
 }
 
-void check_weight(Claims& claims, const Case& in, const Field& weight) {
-  const Field given = weight.get("given", "a weight [N]");
-  claims.check(given, "given is the weight of the grasp",
-               difference(given.finite(), in.load().weight), 1e-15L);
-  const Real most = check_bound(claims, in, weight, "greatest");
-  const Real least = check_bound(claims, in, weight, "least");
-  const Field any = weight.get("any", "true or false");
-  if (!weight.get("holdable", "true or false").truth()) {
-    Real strength = in.load().weight;
-    for (const Touch& contact : in.held.contacts)
-      if (std::isfinite(contact.hi)) strength += contact.hi;
-    if (most > rounding * strength && most >= least)
-      claims.note("That no weight can be held is not proven for all weights.");
+template <int Dim>
+void check_weight(Verdict& verdict, const Path& place, const Case& given,
+                  const WeightClaim<Dim>& claim) {
+  verdict.check(place / "given", "given is the weight of the grasp",
+                difference(claim.given, given.load().weight), 1e-15L);
+  check_bounds(verdict, place, given, claim);
+  const Real most = claim.greatest_bound ? Real{*claim.greatest_bound} : infinity;
+  const Real least = claim.least_bound;
+  if (!claim.holdable) {
+    Real strength = given.load().weight;
+    for (const RealContact& contact : given.grasp.contacts)
+      if (std::isfinite(contact.most)) strength += contact.most;
+    if (most > loose * strength && most >= least)
+      verdict.note("That no weight can be held is not proven for all weights.");
     return;
   }
-  const Field hold = weight.get("greatest_hold", "a hold");
-  if (any.truth()) {
-    check_held(claims, in, without_limits(in.held), hold, false);
+  const bool told = claim.least && (claim.any || claim.greatest);
+  verdict.check(place, "where weights can be held there is a least and a greatest", told);
+  if (!told) return;
+  if (claim.any) {
+    check_at_limit(verdict, place / "greatest_hold", given, without_limits(given.grasp),
+                   claim.greatest_hold);
   } else {
-    const Field greatest = weight.get("greatest", "a weight [N]");
-    claims.check(greatest, "greatest is not above its bound", greatest.finite() / most,
-                 1 + rounding);
-    check_held(claims, in, of_weight(in.held, greatest.finite()), hold, false);
+    verdict.check(place / "greatest", "greatest is not above its bound", *claim.greatest / most,
+                  1 + loose);
+    check_at_limit(verdict, place / "greatest_hold", given,
+                   with_weight(given.grasp, *claim.greatest), claim.greatest_hold);
   }
-  const Field lowest = weight.get("least", "a weight [N]");
-  claims.check(lowest, "least is not below its bound", least - lowest.finite(), rounding * least);
-  if (lowest.finite() > 0)
-    check_held(claims, in, of_weight(in.held, lowest.finite()), weight.get("least_hold", "a hold"),
-               false);
-  claims.note("Which contacts decide is not checked.");
+  verdict.check(place / "least", "least is not below its bound", least - *claim.least,
+                loose * least);
+  if (*claim.least > 0)
+    check_at_limit(verdict, place / "least_hold", given, with_weight(given.grasp, *claim.least),
+                   claim.least_hold);
+  verdict.note("Which contacts decide is not checked.");
 }
 
-void check_friction(Claims& claims, const Case& in, const Field& friction) {
-  const Field bound = friction.get("bound", "a factor"),
-              factor = friction.get("factor", "a factor");
-  const Real says = bound.finite();
-  if (says > 0) {
-    const Vec y = read_vector(friction.get("dual", "a twist"), in.held.wrench_size());
-    const WeightBound by =
-        weight_bound(with_friction(in.held, says * (1 - rounding)), in.load(), in.up, y, in.cap);
-    claims.check(bound, "with less friction the weight cannot be held, by the dual",
-                 by.fixed - in.load().weight * by.gain, rounding * worth(in.load(), y));
+template <int Dim>
+void check_friction(Verdict& verdict, const Path& place, const Case& given,
+                    const FrictionClaim<Dim>& claim) {
+  const Real bound = claim.bound;
+  if (bound > 0) {
+    const Vec y = real(claim.dual);
+    const WeightBound proof = weight_bound(with_friction(given.grasp, bound * (1 - loose)),
+                                           given.load(), given.up, y, given.cap);
+    verdict.check(place / "bound", "with less friction the weight cannot be held, by the dual",
+                  proof.fixed - given.load().weight * proof.gain,
+                  loose * imbalance_power(given.load(), y));
   }
-  if (factor.is_null()) return;
-  claims.check(factor, "factor is not below its bound", says - factor.finite(), rounding * says);
+  if (!claim.factor) return;
+  const Real factor = *claim.factor;
+  verdict.check(place / "factor", "factor is not below its bound", bound - factor, loose * bound);
   // Rounding of the friction is felt where the forces are great.
-  check_held(claims, in, with_friction(in.held, factor.finite() * (1 + 1e-12L)),
-             friction.get("hold", "a hold"), false);
+  check_at_limit(verdict, place / "hold", given, with_friction(given.grasp, factor * (1 + 1e-12L)),
+                 claim.hold);
 }
 
 }  // namespace
 
-void check_capacity(Claims& claims, const Held& held, const Field& root) {
-  const Field options = root.get("options", "a mapping");
-  const Real cap = options.get("force_cap", "a number of weights").finite();
-  const Real safety = options.get("safety", "a factor").finite();
-  const Field list = root.get("capacities", "a list of answers");
-  for (const Field& field : list.list()) {
-    Case in{held, read_vector(field.get("up", "the direction against gravity"), held.dim), cap};
-    if (held.loads.size() > 1) {
-      const Field scenario = field.get("scenario", "the number of a scenario");
-      const Real number = scenario.finite();
-      if (!(number >= 0 && number < static_cast<Real>(held.loads.size())) ||
-          number != std::floor(number))
-        scenario.fail("must be the number of a scenario");
-      in.held.loads = {held.loads[static_cast<std::size_t>(number)]};
-    }
-    claims.check(field, "up is a unit vector", std::abs(in.up.norm() - 1), 1e-12L);
-    check_weight(claims, in, field.get("weight", "the weights that can be held"));
-    check_friction(claims, in, field.get("friction", "the least friction"));
-    check_held(claims, in, with_friction(in.held, 1 / safety), field.get("command", "a hold"),
-               true);
+template <int Dim>
+void check_capacity(Verdict& verdict, const RealGrasp& grasp,
+                    const CapacityDocument<Dim>& capacity) {
+  const Real cap = capacity.options.force_cap, safety = capacity.options.safety.value_or(1);
+  for (std::size_t k = 0; k < capacity.capacities.size(); ++k) {
+    const CapacityClaim<Dim>& claim = capacity.capacities[k];
+    const Path place = (Path() / "capacities")[k];
+    const RealLoad& load = load_of(verdict, place / "scenario", grasp, claim.scenario.value_or(0));
+    const Case given{with_load(grasp, load), real(claim.up), cap};
+    verdict.check(place, "up is a unit vector", std::abs(given.up.norm() - 1), 1e-12L);
+    check_weight(verdict, place / "weight", given, claim.weight);
+    check_friction(verdict, place / "friction", given, claim.friction);
+    check_least_hold(verdict, place / "command", with_friction(given.grasp, 1 / safety),
+                     claim.command, cap);
+    verdict.check(place / "command", "the hold is of the posture asked for",
+                  (real(claim.command.up) - given.up).norm(), 1e-12L);
   }
-  claims.note("That a posture is the best is not checked here: ask for best.");
+  verdict.note("That a posture is the best is not checked here: ask for best.");
 }
+
+template void check_capacity(Verdict&, const RealGrasp&, const CapacityDocument<2>&);
+template void check_capacity(Verdict&, const RealGrasp&, const CapacityDocument<3>&);
 
 }  // namespace poise::verify

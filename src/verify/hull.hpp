@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "verify/held.hpp"
+#include "verify/statics.hpp"
 
 namespace poise::verify {
 

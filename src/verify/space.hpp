@@ -1,12 +1,22 @@
-// The best posture in space: the cuts that prove it, and the turn that leads there.
+// What the best posture in space is checked by.
 #pragma once
 
-#include "verify/hold.hpp"
+#include <optional>
+
+#include "ask/claims.hpp"
+#include "verify/statics.hpp"
 
 namespace poise::verify {
 
-Fork fork_in_space(const Held& held, const Load& load, const Vec& up);
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
 
-void check_best_in_space(Claims& claims, const Held& held, const Field& root);
+/// Checks that by the cuts the effort is at least `least` in the whole domain (of the greatest of
+/// the loads); `words` say so.
+void check_cuts(Verdict& verdict, const RealGrasp& grasp, const std::vector<Cut>& cuts,
+                const std::optional<Tilt>& tilt, Real least, const std::string& words);
+
+/// Whether it is plain that turns to all sides can be balanced too, if no contact presses harder
+/// than before by `slack` [N].
+bool holds_around(const RealGrasp& grasp, const RealLoad& load, Real slack);
 
 }  // namespace poise::verify

@@ -1,103 +1,76 @@
 #include "verify/verify.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "verify/capacity.hpp"
-#include "verify/plane.hpp"
-#include "verify/space.hpp"
+#include "verify/checks.hpp"
 
 namespace poise::verify {
 namespace {
 
-/// A key that is given twice means different things to different readers.
-void refuse_twins(const Document& document, const Value& value) {
-  if (const auto* parts = std::get_if<List>(&value.data))
-    for (const Value& part : *parts) refuse_twins(document, part);
-  if (const auto* members = std::get_if<Mapping>(&value.data))
-    for (auto member = members->begin(); member != members->end(); ++member) {
-      const auto same = [&](const Member& other) { return other.key == member->key; };
-      if (std::any_of(members->begin(), member, same))
-        document.fail(member->at, "\"" + member->key + "\" is given twice");
-      refuse_twins(document, member->value);
-    }
+Real distance(double a, double b) { return difference(a, b); }
+Real distance(const std::string& a, const std::string& b) { return a == b ? 0 : 1; }
+template <int Dim>
+Real distance(const Eigen::Matrix<double, Dim, 1>& a, const Eigen::Matrix<double, Dim, 1>& b) {
+  return (real(a) - real(b)).norm();
 }
 
-/// What the grasp file says, said again.
-void check_reading(Claims& claims, const Held& held, const Field& root) {
-  const auto check_load = [&](const Field& field, const Load& load) {
-    const Field weight = field.get("weight", "a force [N]"), com = field.get("com", "a point");
-    claims.check(weight, "weight is that of the grasp", difference(weight.finite(), load.weight),
-                 0);
-    claims.check(com, "com is that of the grasp", (read_vector(com, held.dim) - load.com).norm(),
-                 0);
+/// Checks that the grasp is told as it is.
+template <int Dim>
+void check_reading(Verdict& verdict, const Grasp<Dim>& grasp, const CheckDocument<Dim>& check) {
+  const auto same = [&](const Path& place, const std::string& key, const auto& a, const auto& b) {
+    verdict.check(place / key, key + " is that of the grasp", distance(a, b), 0);
   };
-  if (held.dim == 2) {
-    check_load(root, held.loads.front());
-  } else {
-    const Field scenarios = root.get("scenarios", "a list of loads");
-    const auto loads = scenarios.list();
-    if (loads.size() != held.loads.size())
-      scenarios.fail("must have " + std::to_string(held.loads.size()) + ", as the grasp has");
-    for (std::size_t k = 0; k < loads.size(); ++k) check_load(loads[k], held.loads[k]);
+  const bool complete = check.loads.size() == grasp.loads().size() &&
+                        check.contacts.size() == grasp.contacts().size();
+  verdict.check({}, "there are as many loads and contacts as the grasp has", complete);
+  if (!complete) return;
+  for (std::size_t k = 0; k < check.loads.size(); ++k) {
+    const Path place = Dim == 2 ? Path() : (Path() / "scenarios")[k];
+    same(place, "weight", check.loads[k].weight, grasp.loads()[k].weight);
+    same(place, "com", check.loads[k].com, grasp.loads()[k].com);
   }
-  const Field list = root.get("contacts", "a list of contacts");
-  const auto contacts = list.list();
-  if (contacts.size() != held.contacts.size())
-    list.fail("must have " + std::to_string(held.contacts.size()) + " contacts, as the grasp has");
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Touch& contact = held.contacts[i];
-    const auto vector = [&](const char* key, const Vec& expected) {
-      const Field field = contacts[i].get(key, "a vector");
-      claims.check(field, std::string(key) + " is that of the grasp",
-                   (read_vector(field, held.dim) - expected).norm(), 0);
-    };
-    const auto number = [&](const char* key, Real expected) {
-      const Field field = contacts[i].get(key, "a number");
-      const bool none = field.is_null() && !std::isfinite(expected);
-      claims.check(field, std::string(key) + " is that of the grasp",
-                   none ? 0 : difference(field.finite(), expected), 0);
-    };
-    vector("position", contact.position);
-    vector("normal", contact.normal);
-    number("friction", contact.friction);
-    number("min_normal", contact.lo);
-    number("max_normal", contact.hi);
-    number("share", contact.share);
-    if (held.dim == 3) number("torsion", contact.torsion);
-  }
-  claims.note("force_closure, cradled_deg and warnings are not checked.");
+  for (std::size_t i = 0; i < check.contacts.size(); ++i)
+    for_each_contact_field<Dim>([&](const char* name, auto member) {
+      same((Path() / "contacts")[i], name, check.contacts[i].*member, grasp.contacts()[i].*member);
+    });
+  verdict.note("force_closure, cradled_deg and warnings are not checked.");
 }
 
-Held held_by(const PlanarFile& file) { return held(file.grasp()); }
-Held held_by(const SpatialFile& file) { return held(file.grasps()); }
+/// Calls what checks a document of its kind.
+template <int Dim>
+struct Checker {
+  Verdict& verdict;
+  const Grasp<Dim>& given;
+  RealGrasp grasp{real_grasp(given)};
+
+  void operator()(const CheckDocument<Dim>& check) { check_reading(verdict, given, check); }
+  void operator()(const HoldDocument<Dim>& hold) {
+    check_least_hold<Dim>(verdict, {}, grasp, hold, hold.options.force_cap);
+  }
+  void operator()(const BestDocument<Dim>& best) { check_best(verdict, grasp, best); }
+  void operator()(const CapacityDocument<Dim>& capacity) {
+    check_capacity(verdict, grasp, capacity);
+  }
+  void operator()(const CurveDocument& curve) { check_curve(verdict, grasp, curve); }
+};
 
 }  // namespace
 
-Claims verify(const GraspFile& file, const Document& result) {
-  refuse_twins(result, result.root);
-  const Field root(result);
-  const Field version = root.get("poise_result", "1, the version of results");
-  if (version.finite() != 1) version.fail("must be 1, the version that this program knows");
-  const Field command = root.get("command", "check, hold, best, curve or capacity");
-  const std::string& name = command.word({"check", "hold", "best", "curve", "capacity"});
-  const Field options = root.get("options", "a mapping");
-  Claims claims;
-  const Held grasp = std::visit([](const auto& each) { return held_by(each); }, file);
-  if (name == "check") {
-    check_reading(claims, grasp, root);
-  } else if (name == "hold") {
-    check_hold(claims, grasp, root, options.get("force_cap", "a number of weights").finite());
-  } else if (name == "capacity") {
-    check_capacity(claims, grasp, root);
-  } else if (name == "curve") {
-    if (grasp.dim == 3) command.fail("is curve, which is for the plane: the grasp is in space");
-    check_curve(claims, grasp, root);
-  } else if (grasp.dim == 2) {
-    check_best_in_plane(claims, grasp, root);
-  } else {
-    check_best_in_space(claims, grasp, root);
-  }
-  return claims;
+template <int Dim>
+Verdict verify(const Grasp<Dim>& grasp, const AnyDocument<Dim>& document) {
+  Verdict verdict;
+  std::visit(Checker<Dim>{verdict, grasp}, document);
+  return verdict;
+}
+
+template Verdict verify(const Grasp<2>&, const AnyDocument<2>&);
+template Verdict verify(const Grasp<3>&, const AnyDocument<3>&);
+
+Verdict verify(const GraspFile& file, const Document& result) {
+  if (const auto* planar = std::get_if<PlanarFile>(&file))
+    return verify<2>(planar->grasp(), read_document<2>(result));
+  return verify<3>(std::get<SpatialFile>(file).grasp(), read_document<3>(result));
 }
 
 }  // namespace poise::verify

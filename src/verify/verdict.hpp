@@ -1,14 +1,30 @@
-// What a result claims, and how far each claim is from the truth.
+// What an answer claims, and how far each claim is from the truth.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
-
-#include "files/field.hpp"
 
 namespace poise::verify {
 
 using Real = long double;
+
+/// Where a claim stands in the document of an answer: "minima[1].contacts[0]".
+class Path {
+ public:
+  Path operator/(std::string_view key) const {
+    return Path((text_.empty() ? "" : text_ + ".") + std::string(key));
+  }
+  Path operator[](std::size_t index) const {
+    return Path(text_ + "[" + std::to_string(index) + "]");
+  }
+  const std::string& text() const { return text_; }
+  Path() = default;
+
+ private:
+  explicit Path(std::string text) : text_(std::move(text)) {}
+  std::string text_{};
+};
 
 /// The same claim, made once or at many places.
 struct Check {
@@ -21,17 +37,16 @@ struct Check {
 
 struct Refutation {
   std::string words, path;
-  int line{0};
   Real off{0}, allowed{0};
 };
 
 /// All the claims that have been checked.
-class Claims {
+class Verdict {
  public:
-  /// A claim at some place in the result, true if `off` is at most `allowed`.
-  void check(const Field& at, const std::string& words, Real off, Real allowed);
+  /// A claim at some place in the document, true if `off` is at most `allowed`.
+  void check(const Path& place, const std::string& words, Real off, Real allowed);
   /// One that is either true or not.
-  void check(const Field& at, const std::string& words, bool right);
+  void check(const Path& place, const std::string& words, bool right);
   /// What is not claimed or cannot be checked, for people to know.
   void note(const std::string& words);
 
@@ -45,6 +60,9 @@ class Claims {
   std::vector<Refutation> refutations_{};
   std::vector<std::string> notes_{};
 };
+
+/// What was refuted, a line each; empty where all was confirmed.
+std::string refutations_text(const Verdict& verdict);
 
 /// |a - b| relative to the larger; 0 where they are the same.
 Real difference(Real a, Real b);

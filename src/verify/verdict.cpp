@@ -1,7 +1,8 @@
-#include "verify/claims.hpp"
+#include "verify/verdict.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace poise::verify {
 namespace {
@@ -26,9 +27,9 @@ Real used(Real off, Real allowed) { return allowed > 0 ? off / allowed : off > 0
 
 }  // namespace
 
-void Claims::check(const Field& at, const std::string& words, Real off, Real allowed) {
+void Verdict::check(const Path& place, const std::string& words, Real off, Real allowed) {
   off = std::max(off, Real{0});  // the right side of a bound; nan stays
-  const std::string where = pattern(at.path());
+  const std::string where = pattern(place.text());
   auto check = std::find_if(checks_.begin(), checks_.end(),
                             [&](const Check& c) { return c.words == words && c.where == where; });
   if (check == checks_.end())
@@ -36,17 +37,24 @@ void Claims::check(const Field& at, const std::string& words, Real off, Real all
   if (check->times++ == 0 || !(used(off, allowed) <= used(check->off, check->allowed))) {
     check->off = off;
     check->allowed = allowed;
-    check->closest = at.path();
+    check->closest = place.text();
   }
-  if (!(off <= allowed)) refutations_.push_back({words, at.path(), at.place().line, off, allowed});
+  if (!(off <= allowed)) refutations_.push_back({words, place.text(), off, allowed});
 }
 
-void Claims::check(const Field& at, const std::string& words, bool right) {
-  check(at, words, right ? 0 : 1, 0);
+void Verdict::check(const Path& place, const std::string& words, bool right) {
+  check(place, words, right ? 0 : 1, 0);
 }
 
-void Claims::note(const std::string& words) {
+void Verdict::note(const std::string& words) {
   if (std::find(notes_.begin(), notes_.end(), words) == notes_.end()) notes_.push_back(words);
+}
+
+std::string refutations_text(const Verdict& verdict) {
+  std::ostringstream text;
+  for (const Refutation& each : verdict.refutations())
+    text << each.path << ": " << each.words << ": " << each.off << " of " << each.allowed << "\n";
+  return text.str();
 }
 
 Real difference(Real a, Real b) {

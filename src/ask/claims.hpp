@@ -1,0 +1,315 @@
+// What JSON documents claim, as values: docs/command-line.md. `fields` lists the keys of each part,
+// once for who writes and who reads. An optional is null where there is none; those that are
+// visited by `maybe` are left out then. What is visited by `degrees` is in radians here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "poise/best_posture.hpp"
+#include "poise/capacity.hpp"
+
+namespace poise {
+
+/// Of an optimum of a curve.
+enum class Extremum { min, max };
+
+/// The words for the values of an enumeration, in their order.
+using Words = std::vector<std::string_view>;
+inline Words words_of(ContactState) { return {"unloaded", "sticking", "slipping"}; }
+inline Words words_of(ForceLimit) { return {"none", "min", "max"}; }
+inline Words words_of(Manner) { return {"resting", "cradled", "pinched"}; }
+inline Words words_of(Kind) { return {"boundary", "kink", "smooth"}; }
+inline Words words_of(Status) { return {"optimal", "gap", "unholdable"}; }
+inline Words words_of(Domain) { return {"all", "pinched"}; }
+inline Words words_of(Extremum) { return {"min", "max"}; }
+
+// Parts that are told as the library has them.
+
+void fields(Harmonic2& V, auto& visit) {
+  visit("c0", V.c0, "cos1", V.cos1, "sin1", V.sin1, "cos2", V.cos2, "sin2", V.sin2);
+}
+void fields(ArcState& arc, auto& visit) { visit("state", arc.state, "limit", arc.limit); }
+void fields(UnholdableArc& arc, auto& visit) {
+  visit.degrees("from_deg", arc.from, "to_deg", arc.to);
+  visit("y", arc.y);
+}
+void fields(Tilt& tilt, auto& visit) {
+  visit("from", tilt.from);
+  visit.degrees("max_deg", tilt.most);
+}
+void fields(Cut& cut, auto& visit) {
+  visit.maybe("n", cut.n);
+  if (!cut.n) visit("y", cut.y, "scenario", cut.load);
+}
+
+/// What one contact does.
+template <int Dim>
+struct ContactClaim {
+  std::string finger;
+  double friction_used{0}, normal_force{0};
+  double tangential_force{0};              ///< in space its size
+  std::optional<double> torsion_moment{};  ///< of a soft finger
+  Vector<Dim> force;                       ///< object frame
+  ContactState state{};
+  ForceLimit limit{};
+
+  void fields(auto& visit) {
+    visit("finger", finger, "friction_used", friction_used, "normal_force", normal_force);
+    visit("tangential_force", tangential_force);
+    visit.maybe("torsion_moment", torsion_moment);
+    visit("force", force, "state", state, "limit", limit);
+  }
+};
+
+template <int Dim>
+struct FingerClaim {
+  std::string finger;
+  double normal_force{0};
+  Vector<Dim> force;
+
+  void fields(auto& visit) {
+    visit("finger", finger, "normal_force", normal_force, "force", force);
+  }
+};
+
+/// A hold in a posture: of the load that decides, and then those of the others.
+template <int Dim>
+struct HoldClaim {
+  bool holdable{false};
+  Vector<Dim> up;
+  double angle_deg{0};                                    ///< in the plane
+  std::optional<std::size_t> scenario{};                  ///< that decides, where there are several
+  std::vector<std::optional<double>> scenario_efforts{};  ///< null: cannot be held
+  std::vector<std::optional<HoldClaim>> scenario_holds{};  ///< null: this one, or cannot be held
+  Twist<Dim> dual;
+  double lower_bound{0};
+  std::string reason{};  ///< where unholdable; then nothing of what follows
+  double effort{0}, force_norm{0}, residual{0};
+  Manner manner{};
+  bool all_loaded{false};
+  double grip_force{0};
+  std::vector<FingerClaim<Dim>> fingers{};
+  std::vector<ContactClaim<Dim>> contacts{};
+
+  void fields(auto& visit) {
+    visit("holdable", holdable, "up", up);
+    if constexpr (Dim == 2) visit("angle_deg", angle_deg);
+    visit.maybe("scenario", scenario);
+    if (scenario) visit("scenario_efforts", scenario_efforts, "scenario_holds", scenario_holds);
+    visit("dual", dual, "lower_bound", lower_bound);
+    if (!holdable) return visit("reason", reason);
+    visit("effort", effort, "force_norm", force_norm, "residual", residual, "manner", manner);
+    visit("all_loaded", all_loaded, "grip_force", grip_force);
+    visit("fingers", fingers, "contacts", contacts);
+  }
+};
+
+/// Of the posture curve.
+struct OptimumClaim : HoldClaim<2> {
+  Kind kind{};
+  std::optional<Extremum> type{};              ///< where there are minima and maxima
+  std::optional<double> from_deg{}, to_deg{};  ///< the stretch of equal V, where there is one
+  /// Null where the edges are parallel; none where they were not asked for.
+  std::optional<std::optional<Vector<2>>> edges_meet{};
+
+  void fields(auto& visit) {
+    visit("kind", kind);
+    visit.maybe("type", type, "from_deg", from_deg, "to_deg", to_deg);
+    HoldClaim<2>::fields(visit);
+    visit.maybe("edges_meet", edges_meet);
+  }
+};
+
+/// How a minimum of the effort over the postures is claimed.
+template <int Dim>
+using MinimumClaim = std::conditional_t<Dim == 2, OptimumClaim, HoldClaim<3>>;
+
+/// The dual on an arc: c0 + cos1 cos(theta) + sin1 sin(theta).
+struct ArcDual {
+  Twist<2> c0, cos1, sin1;
+
+  void fields(auto& visit) { visit("c0", c0, "cos1", cos1, "sin1", sin1); }
+};
+
+struct ArcClaim {
+  double from{0}, to{0};  ///< [rad]
+  Harmonic2 V{};
+  ArcDual y{};
+  std::vector<ArcState> states{};  ///< one for each contact
+
+  void fields(auto& visit) {
+    visit.degrees("from_deg", from, "to_deg", to);
+    visit("V", V, "y", y, "states", states);
+  }
+};
+
+/// A rotation; with its angle where it is a turn.
+struct RotationClaim {
+  double w{1}, x{0}, y{0}, z{0};
+  std::optional<double> angle_deg{};
+
+  void fields(auto& visit) {
+    visit("w", w, "x", x, "y", y, "z", z);
+    visit.maybe("angle_deg", angle_deg);
+  }
+};
+
+/// What was asked for: of these what belongs to the command, or was given.
+struct OptionsClaim {
+  std::optional<Domain> domain{};
+  double force_cap{0};  ///< [weights]
+  std::optional<double> gap{};
+  std::optional<int> max_holds{};
+  std::optional<Tilt> tilt{};
+  std::optional<RotationClaim> orientation{};
+  std::optional<double> safety{}, angle_deg{};
+  std::optional<std::vector<double>> up{};
+
+  void fields(auto& visit) {
+    visit.maybe("domain", domain);
+    visit("force_cap", force_cap);
+    visit.maybe("gap", gap, "max_holds", max_holds, "tilt", tilt, "orientation", orientation);
+    visit.maybe("safety", safety, "angle_deg", angle_deg, "up", up);
+  }
+};
+
+template <int Dim>
+struct HoldDocument : HoldClaim<Dim> {
+  static constexpr const char* command = "hold";
+  OptionsClaim options{};
+
+  void fields(auto& visit) {
+    visit("options", options);
+    HoldClaim<Dim>::fields(visit);
+  }
+};
+
+template <int Dim>
+struct BestDocument {
+  static constexpr const char* command = "best";
+  OptionsClaim options{};
+  Status status{};
+  std::optional<MinimumClaim<Dim>> best{}, best_pinched{};
+  std::vector<MinimumClaim<Dim>> minima{};
+  std::optional<double> lower_bound{}, relative_gap{};
+  // In the plane.
+  std::optional<OptimumClaim> worst{};
+  std::vector<ArcClaim> arcs{};
+  std::vector<UnholdableArc> unholdable_arcs{};
+  std::vector<Interval> holdable_arcs_deg{};  ///< [rad]
+  // In space.
+  bool minima_complete{false};
+  int holds{0};
+  std::optional<RotationClaim> rotation{}, orientation{};
+  std::vector<Cut> cuts{};
+
+  void fields(auto& visit) {
+    visit("options", options, "status", status, "best", best, "best_pinched", best_pinched);
+    visit("minima", minima);
+    if constexpr (Dim == 2) visit("worst", worst);
+    if constexpr (Dim == 3) visit("minima_complete", minima_complete);
+    visit("lower_bound", lower_bound, "relative_gap", relative_gap);
+    if constexpr (Dim == 3)
+      return visit("holds", holds, "rotation", rotation, "orientation", orientation, "cuts", cuts);
+    visit("arcs", arcs, "unholdable_arcs", unholdable_arcs);
+    visit("holdable_arcs_deg", holdable_arcs_deg);
+  }
+};
+
+struct CurveDocument {
+  static constexpr const char* command = "curve";
+  OptionsClaim options{};
+  std::vector<OptimumClaim> optima{};
+  std::vector<ArcClaim> arcs{};
+  std::vector<Interval> holdable_arcs_deg{};  ///< [rad]
+
+  void fields(auto& visit) {
+    visit("options", options, "optima", optima, "arcs", arcs);
+    visit("holdable_arcs_deg", holdable_arcs_deg);
+  }
+};
+
+struct DecidingClaim : Deciding {
+  std::string finger;
+
+  void fields(auto& visit) {
+    visit("finger", finger, "per_newton", per_newton, "slipping", slipping);
+  }
+};
+
+/// The weights that can be held.
+template <int Dim>
+struct WeightClaim {
+  double given{0};
+  bool holdable{false};
+  bool any{false};  ///< any weight, however great
+  std::optional<double> greatest{}, greatest_bound{};
+  Twist<Dim> greatest_dual;
+  std::optional<double> least{};
+  double least_bound{0};
+  Twist<Dim> least_dual;
+  std::optional<HoldClaim<Dim>> greatest_hold{}, least_hold{};
+  std::vector<DecidingClaim> contacts{};
+
+  void fields(auto& visit) {
+    visit("given", given, "holdable", holdable, "any", any, "greatest", greatest);
+    visit("greatest_bound", greatest_bound, "greatest_dual", greatest_dual);
+    visit("least", least, "least_bound", least_bound, "least_dual", least_dual);
+    if (!holdable) return;
+    visit("greatest_hold", greatest_hold);
+    visit.maybe("least_hold", least_hold);
+    visit("contacts", contacts);
+  }
+};
+
+/// The least friction with which the weight is held.
+template <int Dim>
+struct FrictionClaim {
+  std::optional<double> factor{};
+  double bound{0};
+  Twist<Dim> dual;
+  std::optional<HoldClaim<Dim>> hold{};
+
+  void fields(auto& visit) { visit("factor", factor, "bound", bound, "dual", dual, "hold", hold); }
+};
+
+/// What a gripper can hold in a posture, against one load.
+template <int Dim>
+struct CapacityClaim {
+  std::string posture;
+  Vector<Dim> up;
+  double angle_deg{0};                    ///< in the plane
+  std::optional<std::size_t> scenario{};  ///< the load, where there are several
+  WeightClaim<Dim> weight{};
+  FrictionClaim<Dim> friction{};
+  HoldClaim<Dim> command{};
+
+  void fields(auto& visit) {
+    visit("posture", posture, "up", up);
+    if constexpr (Dim == 2) visit("angle_deg", angle_deg);
+    visit.maybe("scenario", scenario);
+    visit("weight", weight, "friction", friction, "command", command);
+  }
+};
+
+template <int Dim>
+struct CapacityDocument {
+  static constexpr const char* command = "capacity";
+  OptionsClaim options{};
+  std::vector<CapacityClaim<Dim>> capacities{};
+
+  void fields(auto& visit) { visit("options", options, "capacities", capacities); }
+};
+
+/// The grasp as it was understood.
+template <int Dim>
+struct CheckDocument {
+  std::vector<Load<Dim>> loads{};
+  std::vector<Contact<Dim>> contacts{};
+};
+
+}  // namespace poise

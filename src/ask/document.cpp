@@ -1,0 +1,397 @@
+#include "ask/document.hpp"
+
+#include <cmath>
+
+#include "files/degrees.hpp"
+#include "files/grasp_writer.hpp"
+#include "files/json_text.hpp"
+#include "files/json_value.hpp"
+#include "poise/turn.hpp"
+
+namespace poise {
+namespace {
+
+/// Infinite ones are null.
+std::optional<double> finite(double number) {
+  return std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+template <int Dim>
+std::vector<ContactClaim<Dim>> contact_claims(const Hand<Dim>& hand, const Hold<Dim>& hold) {
+  std::vector<ContactClaim<Dim>> claims(hold.forces.size());
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    const Contact<Dim>& contact = hand.contacts()[i];
+    const ContactForce<Dim>& force = hold.forces[i];
+    claims[i] = {.finger = contact.finger,
+                 .friction_used = force.friction_used,
+                 .normal_force = force.normal,
+                 .force = force_vector(contact, force),
+                 .state = force.state,
+                 .limit = force.limit};
+    if constexpr (Dim == 2) {
+      claims[i].tangential_force = force.tangential;
+    } else {
+      claims[i].tangential_force = force.tangential.norm();
+      if (contact.torsion > 0) claims[i].torsion_moment = force.torsion_moment;
+    }
+  }
+  return claims;
+}
+
+template <int Dim>
+HoldClaim<Dim> hold_claim(const Hand<Dim>& hand, double weight, const Vector<Dim>& up,
+                          const Hold<Dim>& hold, Manner manner) {
+  HoldClaim<Dim> claim;
+  claim.holdable = hold.holdable;
+  claim.up = up;
+  if constexpr (Dim == 2) claim.angle_deg = degrees(angle_of(up));
+  claim.dual = hold.dual;
+  claim.lower_bound = hold.lower_bound;
+  if (!hold.holdable) {
+    claim.reason = reason(hand, hold);
+    return claim;
+  }
+  claim.effort = hold.effort;
+  claim.force_norm = std::sqrt(hold.effort);
+  claim.residual = hold.residual;
+  claim.manner = manner;
+  claim.all_loaded = all_loaded(hand, hold, weight);
+  claim.grip_force = grip_force(hand, hold);
+  const std::vector<FingerForce<Dim>> fingers = finger_forces(hand, hold);
+  for (std::size_t k = 0; k < fingers.size(); ++k)
+    claim.fingers.push_back({hand.fingers()[k], fingers[k].normal, fingers[k].force});
+  claim.contacts = contact_claims(hand, hold);
+  return claim;
+}
+
+/// Of a posture against one load.
+template <int Dim>
+HoldClaim<Dim> hold_claim(const Hand<Dim>& hand, double weight, const Posture<Dim>& posture) {
+  return hold_claim(hand, weight, posture.up, posture.hold(), posture.manner);
+}
+
+template <int Dim>
+HoldClaim<Dim> hold_claim(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
+  const std::vector<Load<Dim>>& loads = grasp.loads();
+  HoldClaim<Dim> claim = hold_claim(grasp, loads[posture.decides].weight, posture);
+  if (loads.size() == 1) return claim;
+  claim.scenario = posture.decides;
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Hold<Dim>& hold = posture.holds[k];
+    claim.scenario_efforts.push_back(hold.holdable ? finite(hold.effort) : std::nullopt);
+    claim.scenario_holds.emplace_back();
+    if (k != posture.decides && hold.holdable)
+      claim.scenario_holds.back() = hold_claim<Dim>(grasp, loads[k].weight, posture.up, hold,
+                                                    manner<Dim>(grasp, loads[k], posture.up, hold));
+  }
+  return claim;
+}
+
+HoldClaim<3> minimum_claim(const Grasp<3>& grasp, const Minimum<3>& minimum) {
+  return hold_claim<3>(grasp, minimum);
+}
+
+OptimumClaim minimum_claim(const Grasp<2>& grasp, const Minimum<2>& minimum) {
+  const Optimum& optimum = minimum.optimum;
+  OptimumClaim claim{hold_claim<2>(grasp, minimum), optimum.kind};
+  claim.angle_deg = degrees(optimum.angle);
+  if (optimum.from != optimum.to) {
+    claim.from_deg = degrees(optimum.from);
+    claim.to_deg = degrees(optimum.to);
+  }
+  if (minimum.two_slipping) claim.edges_meet = minimum.edges_meet;
+  return claim;
+}
+
+template <int Dim>
+std::optional<MinimumClaim<Dim>> minimum_claim(const Grasp<Dim>& grasp,
+                                               const Minimum<Dim>* minimum) {
+  if (!minimum) return {};
+  return minimum_claim(grasp, *minimum);
+}
+
+std::vector<ArcClaim> arc_claims(const PostureCurve& curve, std::size_t contacts) {
+  std::vector<ArcClaim> claims;
+  for (const Arc& arc : curve.arcs) {
+    ArcClaim claim{arc.from, arc.to, arc.V};
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const Harmonic1& y = arc.y[static_cast<std::size_t>(k)];
+      claim.y.c0[k] = y.c0;
+      claim.y.cos1[k] = y.cos1;
+      claim.y.sin1[k] = y.sin1;
+    }
+    const auto first = curve.states.begin() + static_cast<std::ptrdiff_t>(arc.first_state);
+    claim.states.assign(first, first + static_cast<std::ptrdiff_t>(contacts));
+    claims.push_back(std::move(claim));
+  }
+  return claims;
+}
+
+RotationClaim rotation_claim(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+OptionsClaim options_claim(const CurveSettings& settings) {
+  return {.domain = settings.domain, .force_cap = settings.force_cap};
+}
+
+void add_proof(BestDocument<2>& claim, const Grasp<2>& grasp, const BestAnswer<2>& answer) {
+  const Proof<2>& proof = answer.best.proof;
+  claim.options = options_claim(answer.settings);
+  if (answer.best.holdable()) claim.lower_bound = answer.best.lower_bound;
+  if (proof.worst) claim.worst = minimum_claim(grasp, *proof.worst);
+  claim.arcs = arc_claims(proof.curve, grasp.contacts().size());
+  claim.unholdable_arcs = proof.curve.unholdable_arcs;
+  claim.holdable_arcs_deg = proof.curve.holdable;
+}
+
+void add_proof(BestDocument<3>& claim, const Grasp<3>& /*grasp*/, const BestAnswer<3>& answer) {
+  const SpatialSettings& settings = answer.settings;
+  claim.options = {.domain = Domain::all,
+                   .force_cap = settings.force_cap,
+                   .gap = settings.gap,
+                   .max_holds = settings.max_holds,
+                   .tilt = settings.tilt,
+                   .orientation = rotation_claim(answer.orientation)};
+  if (answer.best.status != Status::unholdable) claim.lower_bound = answer.best.lower_bound;
+  claim.holds = answer.best.proof.holds;
+  claim.cuts = answer.best.proof.cuts;
+  if (!answer.best.holdable()) return;
+  const Turn turn = turn_to(answer.orientation, answer.best.best().up);
+  claim.rotation = rotation_claim(turn.rotation);
+  claim.rotation->angle_deg = degrees(turn.angle);
+  claim.orientation = rotation_claim(turn.orientation);
+}
+
+template <int Dim>
+WeightClaim<Dim> weight_claim(const Hand<Dim>& hand, const Load<Dim>& load,
+                              const WeightRange<Dim>& range) {
+  const WeightEnd<Dim>& least = range.least;
+  const WeightEnd<Dim>& greatest = range.greatest;
+  WeightClaim<Dim> claim{.given = load.weight,
+                         .holdable = range.holdable,
+                         .any = range.holdable && std::isinf(greatest.weight),
+                         .greatest_bound = finite(greatest.bound),
+                         .greatest_dual = greatest.dual,
+                         .least_bound = least.bound,
+                         .least_dual = least.dual};
+  if (!range.holdable) return claim;
+  claim.greatest = finite(greatest.weight);
+  claim.least = least.weight;
+  claim.greatest_hold = hold_claim(hand, claim.greatest.value_or(load.weight), greatest.posture);
+  if (least.weight > 0) claim.least_hold = hold_claim(hand, least.weight, least.posture);
+  for (std::size_t i = 0; i < range.deciding.size(); ++i)
+    claim.contacts.push_back({range.deciding[i], hand.contacts()[i].finger});
+  return claim;
+}
+
+template <int Dim>
+FrictionClaim<Dim> friction_claim(const Hand<Dim>& hand, const Load<Dim>& load,
+                                  const LeastFriction<Dim>& friction) {
+  FrictionClaim<Dim> claim{finite(friction.factor), friction.bound, friction.dual};
+  if (claim.factor) claim.hold = hold_claim(hand, load.weight, friction.posture);
+  return claim;
+}
+
+// How claims become JSON.
+
+template <class T>
+Json json_of(T& value);
+
+class Writer {
+ public:
+  Json json = Json::object();
+
+  void operator()(const char* key, auto& value, auto&&... rest) {
+    json[key] = json_of(value);
+    if constexpr (sizeof...(rest) > 0) (*this)(rest...);
+  }
+  void maybe(const char* key, auto& value, auto&&... rest) {
+    if (value) json[key] = json_of(*value);
+    if constexpr (sizeof...(rest) > 0) maybe(rest...);
+  }
+  void degrees(const char* key, double radians, auto&&... rest) {
+    json[key] = poise::degrees(radians);
+    if constexpr (sizeof...(rest) > 0) degrees(rest...);
+  }
+};
+
+template <class T>
+Json json_of(T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    return words_of(value)[static_cast<std::size_t>(value)];
+  } else if constexpr (std::is_integral_v<T>) {
+    return value;
+  } else if constexpr (std::is_same_v<T, Interval>) {
+    return {degrees(value.from), degrees(value.to)};
+  } else if constexpr (requires { json_value(value); }) {
+    return json_value(value);
+  } else if constexpr (requires { value.has_value(); }) {
+    return value ? json_of(*value) : Json();
+  } else if constexpr (requires { value.begin(); }) {
+    Json list = Json::array();
+    for (auto& part : value) list.push_back(json_of(part));
+    return list;
+  } else {
+    Writer writer;
+    if constexpr (requires { value.fields(writer); })
+      value.fields(writer);
+    else
+      fields(value, writer);
+    return std::move(writer.json);
+  }
+}
+
+Json head(const char* command) { return {{"poise_result", 1}, {"command", command}}; }
+
+/// A hold without its proof and its contacts; null stays null.
+template <class Claim>
+Json brief(Claim claim) {
+  Json json = json_of(claim);
+  if (json.is_null()) return json;
+  for (const char* const key : {"dual", "residual", "contacts"}) json.erase(key);
+  return json;
+}
+
+/// With the finger first.
+template <int Dim>
+Json contact_value(const Contact<Dim>& contact) {
+  Json result = {{"finger", contact.finger}};
+  for_each_contact_field<Dim>(
+      [&](const char* name, auto member) { result[name] = json_value(contact.*member); });
+  return result;
+}
+
+Json load_value(const auto& load) {
+  return {{"weight", load.weight}, {"com", json_value(load.com)}};
+}
+
+void add_posture(Json& result, const PlanarFile& file, const Grasp<2>& grasp) {
+  result["angle_deg"] = file.angle ? Json(degrees(*file.angle)) : Json();
+  result["domain"] = words_of(file.domain)[static_cast<std::size_t>(file.domain)];
+  result.update(load_value(grasp.loads().front()));
+}
+
+void add_posture(Json& result, const SpatialFile& file, const Grasp<3>& grasp) {
+  result["up"] = file.up ? json_value(*file.up) : Json();
+  result["tilt"] = file.tilt ? tilt_value(*file.tilt) : Json();
+  result["scenarios"] = Json::array();
+  for (const Load<3>& load : grasp.loads()) result["scenarios"].push_back(load_value(load));
+}
+
+}  // namespace
+
+template <int Dim>
+HoldDocument<Dim> claims_of(const Grasp<Dim>& grasp, const HoldAnswer<Dim>& answer) {
+  HoldDocument<Dim> claim{hold_claim(grasp, answer.posture)};
+  claim.options = {.force_cap = answer.settings.force_cap, .angle_deg = answer.option.angle_deg};
+  if (!answer.option.up.empty()) claim.options.up = answer.option.up;
+  if (answer.angle) claim.angle_deg = degrees(*answer.angle);
+  if (answer.option.angle_deg) claim.angle_deg = *answer.option.angle_deg;  // to the last digit
+  return claim;
+}
+
+template <int Dim>
+BestDocument<Dim> claims_of(const Grasp<Dim>& grasp, const BestAnswer<Dim>& answer) {
+  const Best<Dim>& best = answer.best;
+  BestDocument<Dim> claim;
+  claim.status = best.status;
+  if (best.holdable()) {
+    claim.best = minimum_claim(grasp, best.best());
+    claim.relative_gap = best.relative_gap;
+  }
+  claim.best_pinched = minimum_claim(grasp, best.best_pinched());
+  for (const Minimum<Dim>& minimum : best.minima)
+    claim.minima.push_back(minimum_claim(grasp, minimum));
+  add_proof(claim, grasp, answer);
+  return claim;
+}
+
+CurveDocument claims_of(const Grasp<2>& grasp, const CurveAnswer& answer) {
+  CurveDocument claim{.options = options_claim(answer.settings),
+                      .arcs = arc_claims(answer.curve, grasp.contacts().size()),
+                      .holdable_arcs_deg = answer.curve.holdable};
+  for (const Minimum<2>& each : answer.optima) {
+    claim.optima.push_back(minimum_claim(grasp, each));
+    claim.optima.back().type = each.optimum.maximum ? Extremum::max : Extremum::min;
+  }
+  return claim;
+}
+
+template <int Dim>
+CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Dim>& answer) {
+  CapacityDocument<Dim> claim;
+  claim.options = {
+      .force_cap = answer.force_cap, .safety = answer.safety, .angle_deg = answer.option.angle_deg};
+  if (!answer.option.up.empty()) claim.options.up = answer.option.up;
+  for (const CapacityAt<Dim>& at : answer.capacities) {
+    const Load<Dim>& load = grasp.loads()[at.load];
+    CapacityClaim<Dim> capacity{.posture = at.posture, .up = at.up};
+    if constexpr (Dim == 2) capacity.angle_deg = degrees(angle_of(at.up));
+    if (grasp.loads().size() > 1) capacity.scenario = at.load;
+    capacity.weight = weight_claim<Dim>(grasp, load, at.capacity.weights);
+    capacity.friction = friction_claim<Dim>(grasp, load, at.capacity.friction);
+    capacity.command = hold_claim<Dim>(grasp, load.weight, at.capacity.safe);
+    claim.capacities.push_back(std::move(capacity));
+  }
+  return claim;
+}
+
+template <int Dim>
+std::string document(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
+                     const CheckAnswer<Dim>& answer) {
+  Json result = head("check");
+  result.update({{"options", Json::object()},
+                 {"name", file.name},
+                 {"dimension", Dim},
+                 {"safety", file.safety}});
+  add_posture(result, file, grasp);
+  result["shape"] = file.shape ? shape_value(*file.shape) : Json();
+  result["contacts"] = Json::array();
+  for (const Contact<Dim>& contact : grasp.contacts())
+    result["contacts"].push_back(contact_value(contact));
+  result["force_closure"] = answer.force_closure;
+  if constexpr (Dim == 2) {
+    Interval cradled = answer.cradled;
+    result["cradled_deg"] = cradled.from < cradled.to ? json_of(cradled) : Json();
+  }
+  result["warnings"] = file.warnings;
+  return json_text(result);
+}
+
+template <class Claims>
+std::string text_of(Claims claims) {
+  Json result = head(Claims::command);
+  result.update(json_of(claims));
+  return json_text(result);
+}
+
+template <int Dim>
+Json summary(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
+  return brief(hold_claim(grasp, posture));
+}
+
+template <int Dim>
+Json summary(const Grasp<Dim>& grasp, const Best<Dim>& best) {
+  const bool bounded = Dim == 2 ? best.holdable() : best.status != Status::unholdable;
+  const Minimum<Dim>* first = best.holdable() ? &best.best() : nullptr;
+  return {{"status", to_string(best.status)},
+          {"best", brief(minimum_claim(grasp, first))},
+          {"best_pinched", brief(minimum_claim(grasp, best.best_pinched()))},
+          {"lower_bound", bounded ? json_value(best.lower_bound) : Json()},
+          {"relative_gap", first ? json_value(best.relative_gap) : Json()}};
+}
+
+template std::string text_of(CurveDocument);
+#define POISE_DOCUMENTS(Dim)                                                                     \
+  template HoldDocument<Dim> claims_of(const Grasp<Dim>&, const HoldAnswer<Dim>&);               \
+  template BestDocument<Dim> claims_of(const Grasp<Dim>&, const BestAnswer<Dim>&);               \
+  template CapacityDocument<Dim> claims_of(const Grasp<Dim>&, const CapacityAnswer<Dim>&);       \
+  template std::string text_of(HoldDocument<Dim>);                                               \
+  template std::string text_of(BestDocument<Dim>);                                               \
+  template std::string text_of(CapacityDocument<Dim>);                                           \
+  template std::string document(const FileOf<Dim>&, const Grasp<Dim>&, const CheckAnswer<Dim>&); \
+  template Json summary(const Grasp<Dim>&, const Posture<Dim>&);                                 \
+  template Json summary(const Grasp<Dim>&, const Best<Dim>&);
+POISE_DOCUMENTS(2)
+POISE_DOCUMENTS(3)
+
+}  // namespace poise

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "verify/curve.hpp"
+#include "verify/faces.hpp"
+
+namespace poise::verify {
+namespace {
+
+using Vec2 = Eigen::Matrix<Real, 2, 1>;
+
+/// What the forces of all contacts amount to, each on its face in the arc's middle.
+struct ArcForces {
+  Mat3 Q;           ///< twice the dual value is e^T Q e, e = harmonics(theta)
+  Mat3 off;         ///< times e: what is left of the load
+  Real outside{0};  ///< how far contacts leave their faces along the arc
+  Real length{0};   ///< of y, as contacts feel it
+};
+
+Real middle_of(const RealArc& arc) { return (arc.from + arc.to) / 2; }
+
+/// Checks what the arc says a contact does, by its force in the middle.
+void check_state(Verdict& verdict, const Path& place, const RealContact& contact, Real weight,
+                 const Vec2& force, const ArcState& claim) {
+  const Real n = force[0], t = std::abs(force[1]), little = 1e-8L * weight;
+  const bool unloaded = n <= little, slipping = contact.friction * n - t <= little;
+  verdict.check(place / "state", "state is that of the arc's middle",
+                claim.state == ContactState::unloaded   ? unloaded
+                : claim.state == ContactState::slipping ? slipping
+                                                        : n > 0 && t <= contact.friction * n);
+  const bool max = n >= contact.most - little;
+  const bool min = contact.least > 0 && n <= contact.least + little;
+  verdict.check(place / "limit", "limit is that of the arc's middle",
+                claim.limit == ForceLimit::max   ? max
+                : claim.limit == ForceLimit::min ? min
+                                                 : (!max && !min) || n < 1e-6L * weight);
+}
+
+ArcForces check_contacts(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
+                         const std::vector<ArcState>& states) {
+  const Real W = grasp.loads.front().weight;
+  const Mat3 w = load_matrix(grasp.loads.front());
+  ArcForces forces{2 * arc.y.transpose() * w, w, 0, W};
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    const RealContact& contact = grasp.contacts[i];
+    const Mat z = contact.share * contact.G.transpose() * arc.y;  // 2 x 3
+    const Face face = face_of(contact, z * harmonics(middle_of(arc)));
+    Mat f = face.P * z;
+    f.col(0) += face.f0;
+    forces.Q -= (2 * z.transpose() * f - f.transpose() * f) / contact.share;
+    forces.off -= contact.G * f;
+    forces.length =
+        std::max(forces.length, (contact.G.cwiseAbs().transpose() * arc.y.cwiseAbs()).sum());
+    for (const Vec3& side : face.sides) {
+      Vec3 g = z.transpose() * side.tail<2>();
+      g[0] += side[0];
+      forces.outside =
+          std::max(forces.outside, -least(g, arc.from, arc.to) / std::max(z.norm(), W));
+    }
+    check_state(verdict, (arc.place / "states")[i], contact, W, f * harmonics(middle_of(arc)),
+                states[i]);
+  }
+  return forces;
+}
+
+/// Checks that V is what the forces make of it, or in a single posture its value.
+void check_effort(Verdict& verdict, const RealArc& arc, const Mat3& Q, Real weight) {
+  const Path place = arc.place / "V";
+  const Effort dual{Q(0, 0) + (Q(1, 1) + Q(2, 2)) / 2, Q(0, 1) + Q(1, 0), Q(0, 2) + Q(2, 0),
+                    (Q(1, 1) - Q(2, 2)) / 2, (Q(1, 2) + Q(2, 1)) / 2};
+  const Real scale = dual.scale(), middle = middle_of(arc);
+  if (arc.from == arc.to) {
+    verdict.check(place, "V is twice the dual value of y [of V]",
+                  difference(arc.V(middle), dual(middle)), 1e-9L);
+    return;
+  }
+  for (const auto& [key, claimed, expected] :
+       {std::tuple{"c0", arc.V.c0, dual.c0}, std::tuple{"cos1", arc.V.cos1, dual.cos1},
+        std::tuple{"sin1", arc.V.sin1, dual.sin1}, std::tuple{"cos2", arc.V.cos2, dual.cos2},
+        std::tuple{"sin2", arc.V.sin2, dual.sin2}})
+    verdict.check(place / key, "V is twice the dual value of y [of all coefficients]",
+                  std::abs(claimed - expected) / scale,
+                  1e-11L + 4e-15L * std::sqrt(scale) / weight);
+}
+
+void check_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
+               const std::vector<ArcState>& states, Real force_cap) {
+  const RealLoad& load = grasp.loads.front();
+  verdict.check(arc.place, "from_deg is not above to_deg, nor by more than a turn below",
+                arc.from <= arc.to && arc.to - arc.from <= 2 * pi + end_slack);
+  const bool complete = states.size() == grasp.contacts.size();
+  verdict.check(arc.place / "states", "there are as many states as the grasp has contacts",
+                complete);
+  if (!complete) return;
+  const ArcForces forces = check_contacts(verdict, grasp, arc, states);
+  verdict.check(arc.place, "contacts keep to their faces along the arc [of y]", forces.outside,
+                1e-7L);
+  const Real digits = 1e-15L * forces.length / load.weight;  // what y loses by its rounding
+  for (const Real theta : {arc.from, middle_of(arc), arc.to})
+    verdict.check(arc.place, "forces balance the load along the arc [weights]",
+                  relative_size(forces.off * harmonics(theta), load), 1e-11L + digits);
+  check_effort(verdict, arc, forces.Q, load.weight);
+  const Real cap = force_cap * load.weight;
+  verdict.check(arc.place, "V is within the force cap: V / cap^2",
+                arc.V.greatest(arc.from, arc.to) / (cap * cap), 1 + 1e-6L);
+}
+
+}  // namespace
+
+bool RealArc::is_sliver() const { return from != to && std::abs(to - from) <= end_slack; }
+
+std::vector<RealArc> check_arcs(Verdict& verdict, const RealGrasp& grasp,
+                                const std::vector<ArcClaim>& claims, Real force_cap) {
+  std::vector<RealArc> arcs;
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    const ArcClaim& claim = claims[k];
+    RealArc& arc = arcs.emplace_back();
+    arc = {(Path() / "arcs")[k], claim.from, claim.to, effort_of(claim.V), {}};
+    arc.y << claim.y.c0.cast<Real>(), claim.y.cos1.cast<Real>(), claim.y.sin1.cast<Real>();
+    if (arc.is_sliver())
+      verdict.note("An arc narrower than 2e-8 rad proves nothing; its neighbours must.");
+    else
+      check_arc(verdict, grasp, arc, claim.states, force_cap);
+  }
+  return arcs;
+}
+
+}  // namespace poise::verify

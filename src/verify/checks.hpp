@@ -1,0 +1,40 @@
+// What checks the documents of each command, and single holds.
+#pragma once
+
+#include "ask/claims.hpp"
+#include "verify/statics.hpp"
+
+namespace poise::verify {
+
+void check_curve(Verdict& verdict, const RealGrasp& grasp, const CurveDocument& curve);
+void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<2>& best);
+void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>& best);
+template <int Dim>
+void check_capacity(Verdict& verdict, const RealGrasp& grasp,
+                    const CapacityDocument<Dim>& capacity);
+
+/// Checks that forces hold the object within the force cap [weights], or the proof that none do.
+template <int Dim>
+void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
+                const HoldClaim<Dim>& hold, Real force_cap);
+/// Checks also that no forces have less effort.
+template <int Dim>
+void check_least_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
+                      const HoldClaim<Dim>& hold, Real force_cap);
+
+/// Checks that what is told of a contact follows from its force, and returns that force as G takes
+/// it.
+template <int Dim>
+Vec check_contact(Verdict& verdict, const Path& place, const RealContact& contact, Real weight,
+                  const ContactClaim<Dim>& claim);
+
+/// The load of which an answer gives the number; the first where there is no such one.
+const RealLoad& load_of(Verdict& verdict, const Path& place, const RealGrasp& grasp,
+                        std::size_t scenario);
+
+inline constexpr Real rounding = 1e-12L;  ///< of a number that follows from others in the document
+inline constexpr Real at_limit = 1e-9L;   ///< of the weight, and of the friction
+/// Whether a number is beside a limit by no more than rounding.
+bool is_beside(Real number, Real limit, Real unit);
+
+}  // namespace poise::verify

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "verify/curve.hpp"
+
+namespace poise::verify {
+namespace {
+
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+/// What y proves of the effort in all postures, times harmonics(theta): twice its dual value, less
+/// `balance` times what it moves the com by.
+Vec3 proof(const RealGrasp& grasp, const Vec& y, Real balance) {
+  const RealLoad& load = grasp.loads.front();
+  Vec3 g = 2 * load_matrix(load).transpose() * y.head<3>();
+  g[0] -= 2 * phi(grasp, y) + 2 * balance * imbalance_power(load, y);
+  return g;
+}
+
+Path unholdable_path(std::size_t k) { return (Path() / "unholdable_arcs")[k]; }
+
+/// An arc or an unholdable one.
+struct Piece {
+  Path place;
+  Real from, to;
+  Vec y_from, y_to;  ///< what its ends prove their neighbours by
+  bool arc;
+};
+
+/// In their order from `start`.
+std::vector<Piece> pieces_of(const std::vector<RealArc>& arcs,
+                             const std::vector<UnholdableArc>& unholdable, Real start) {
+  std::vector<Piece> pieces;
+  for (const RealArc& arc : arcs)
+    if (!arc.is_sliver())
+      pieces.push_back({arc.place, arc.from, arc.to, arc.y * harmonics(arc.from),
+                        arc.y * harmonics(arc.to), true});
+  for (std::size_t k = 0; k < unholdable.size(); ++k) {
+    const Vec y = real(unholdable[k].y);
+    pieces.push_back({unholdable_path(k), unholdable[k].from, unholdable[k].to, y, y, false});
+  }
+  for (Piece& piece : pieces) {
+    const Real from = unwound(piece.from, start);
+    piece.to += from - piece.from;
+    piece.from = from;
+  }
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+  });
+  return pieces;
+}
+
+/// A walk once around the domain. Between two pieces counts what any y that is at hand proves, the
+/// neighbours' first.
+class Walk {
+ public:
+  Walk(Verdict& verdict, const RealGrasp& grasp, const std::vector<Piece>& pieces, Real start,
+       Status status)
+      : verdict_(verdict), grasp_(grasp), pieces_(pieces), status_(status), reached_(start) {}
+
+  /// Starts behind a piece.
+  void start_behind(const Piece& piece) { before_ = &piece; }
+
+  /// Goes on to where `after` begins, or the domain ends.
+  void reach(const Path& place, Real to, const Piece* after) {
+    if (status_ != Status::gap)
+      verdict_.check(place, "arcs and unholdable arcs cover the domain [rad]", to - reached_,
+                     end_slack);
+    const bool by_arcs = (before_ && before_->arc) || (after && after->arc);
+    if (to <= reached_ || (to - reached_ <= end_slack && !by_arcs)) return;
+    Real best = -infinity;
+    const auto use = [&](const Vec& y) {
+      best = std::max(best, verify::least(proof(grasp_, y, 0), reached_, to));
+    };
+    if (before_) use(before_->y_to);
+    if (after) use(after->y_from);
+    if (to - reached_ > end_slack)
+      for (const Piece& piece : pieces_) {
+        use(piece.y_from);
+        use(piece.y_to);
+      }
+    least_ = std::min(least_, best * (1 + 2e-6L));
+  }
+
+  void pass(const Piece& piece) {
+    reach(piece.place, piece.from, &piece);
+    verdict_.check(piece.place, "arcs do not overlap [rad]",
+                   std::min(reached_, piece.to) - piece.from, end_slack);
+    if (piece.to >= reached_) before_ = &piece;
+    reached_ = std::max(reached_, piece.to);
+  }
+
+  Real reached() const { return reached_; }
+  Real least() const { return least_; }  ///< proven between the pieces
+
+ private:
+  Verdict& verdict_;
+  const RealGrasp& grasp_;
+  const std::vector<Piece>& pieces_;
+  Status status_;
+  Real reached_;
+  const Piece* before_{nullptr};
+  Real least_{infinity};
+};
+
+}  // namespace
+
+Real check_cover(Verdict& verdict, const RealGrasp& grasp, const std::vector<RealArc>& arcs,
+                 const std::vector<UnholdableArc>& unholdable, const RealDomain& domain,
+                 Status status) {
+  Real start = domain.from;
+  if (domain.circle && !(arcs.empty() && unholdable.empty()))
+    start = arcs.empty() ? unholdable.front().from : arcs.front().from;
+  const Real stop = domain.circle ? start + 2 * pi : domain.to;
+  const std::vector<Piece> pieces = pieces_of(arcs, unholdable, start);
+  const bool closed = domain.circle && !pieces.empty();
+  Walk walk(verdict, grasp, pieces, start, status);
+  if (closed)
+    walk.start_behind(*std::max_element(
+        pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.to < b.to; }));
+  for (const Piece& piece : pieces) walk.pass(piece);
+  walk.reach({}, stop, closed ? &pieces.front() : nullptr);
+  verdict.check({}, "arcs keep to the domain [rad]", walk.reached() - stop, end_slack);
+  Real least = walk.least();
+  for (const RealArc& arc : arcs)
+    if (!arc.is_sliver()) least = std::min(least, arc.V.least(arc.from, arc.to));
+  return least;
+}
+
+void check_unholdable(Verdict& verdict, const RealGrasp& grasp,
+                      const std::vector<UnholdableArc>& unholdable, Real force_cap) {
+  const Real cap = force_cap * grasp.loads.front().weight;
+  for (std::size_t k = 0; k < unholdable.size(); ++k) {
+    const Real from = unholdable[k].from + end_slack, to = unholdable[k].to - end_slack;
+    Real best = 0;
+    if (from < to)
+      for (int exponent = -80; exponent <= 80 && best <= cap * cap; exponent += 2) {
+        const Vec y = std::ldexp(Real{1}, exponent) * real(unholdable[k].y);
+        best = std::max(best, least(proof(grasp, y, delta), from, to));
+      }
+    verdict.check(unholdable_path(k), "y proves that the force cap is not enough: cap^2 / bound",
+                  from >= to ? 0
+                  : best > 0 ? cap * cap / best
+                             : 2,
+                  1);
+  }
+}
+
+}  // namespace poise::verify

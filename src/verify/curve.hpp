@@ -1,0 +1,73 @@
+// The posture curve: arcs, how they follow each other, their optima, and what they prove.
+#pragma once
+
+#include "ask/claims.hpp"
+#include "verify/trig.hpp"
+
+namespace poise::verify {
+
+/// An arc that is claimed, and where. On it all contacts keep to their faces.
+struct RealArc {
+  Path place;
+  Real from{0}, to{0};
+  Effort V;
+  Mat3 y;  ///< times harmonics(theta)
+
+  /// Within rounding of where arcs end; a single posture is not.
+  bool is_sliver() const;
+};
+
+/// Checks that the y of each arc gives forces that balance all along it, at an effort of V: then it
+/// also proves that no others have less.
+std::vector<RealArc> check_arcs(Verdict& verdict, const RealGrasp& grasp,
+                                const std::vector<ArcClaim>& arcs, Real force_cap);
+
+/// The planar postures to choose from [rad]: from <= to <= from + 2 pi.
+struct RealDomain {
+  Real from{0}, to{0};
+  bool circle{false};  ///< all postures
+};
+RealDomain domain_of(const RealGrasp& grasp, Domain domain);
+
+/// Arcs that follow each other without a break.
+struct Chain {
+  std::vector<RealArc> arcs;  ///< unwound
+  bool circle{false};
+  Real from() const { return arcs.front().from; }
+  Real to() const { return arcs.back().to; }
+};
+
+/// Checks that the arcs tile the holdable intervals and keep to the domain.
+std::vector<Chain> check_tiling(Verdict& verdict, const std::vector<RealArc>& arcs,
+                                const std::vector<Interval>& holdable, const RealDomain& domain);
+
+/// An optimum that is claimed, and where.
+struct RealOptimum {
+  Path place;
+  OptimumClaim claim;
+  Real angle{0};        ///< theta [rad]
+  Real from{0}, to{0};  ///< the stretch
+  Real digits{0};       ///< what the effort lost where it was found, relative: arcs are steep
+};
+
+/// Checks an optimum by itself and where it lies on the arcs.
+RealOptimum check_optimum(Verdict& verdict, const Path& place, const RealGrasp& grasp,
+                          const OptimumClaim& claim, const std::vector<Chain>& chains,
+                          Extremum type, Real force_cap);
+
+/// Checks that a list holds every minimum or maximum of the arcs, each once, and in their order.
+void check_complete(Verdict& verdict, const Path& list, const std::vector<RealOptimum>& optima,
+                    const std::vector<Chain>& chains, Extremum type);
+
+/// Checks that the y of each unholdable arc proves all its postures. A longer or shorter y is as
+/// good.
+void check_unholdable(Verdict& verdict, const RealGrasp& grasp,
+                      const std::vector<UnholdableArc>& unholdable, Real force_cap);
+
+/// Checks that arcs and unholdable arcs cover the domain, if `status` says so, and returns the
+/// least effort that is proven there.
+Real check_cover(Verdict& verdict, const RealGrasp& grasp, const std::vector<RealArc>& arcs,
+                 const std::vector<UnholdableArc>& unholdable, const RealDomain& domain,
+                 Status status);
+
+}  // namespace poise::verify

@@ -1,0 +1,139 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "verify/checks.hpp"
+#include "verify/space.hpp"
+
+namespace poise::verify {
+namespace {
+
+/// Cuts off all x with a . x > b.
+struct HalfSpace {
+  Vec3 a;
+  Real b;
+
+  Real beyond(const Vec3& x) const { return a.dot(x) - b; }
+};
+
+bool is_unlimited(const RealGrasp& grasp) {
+  return std::all_of(grasp.contacts.begin(), grasp.contacts.end(), [](const RealContact& contact) {
+    return contact.least <= 0 && !std::isfinite(contact.most);
+  });
+}
+
+/// Where y proves that up = x needs an effort above t: 2 (y . w(x) - phi(G^T y)) > t. Without
+/// limits and with the weight alone a longer or shorter y proves more, and the best length is
+/// known.
+HalfSpace half_space(const RealGrasp& grasp, const RealLoad& load, const Vec& y, Real t) {
+  const Vec v = load.weight * velocity(y, load.com);
+  const Real value = phi(grasp, y), slack = delta * imbalance_power(load, y);
+  const bool scales = is_unlimited(grasp) && load.fixed.isZero(0);
+  const Real b =
+      scales ? std::sqrt(2 * std::max(value, Real{0}) * t) : t / 2 + value - y.dot(load.fixed);
+  return {v.head<3>() / v.norm(), (b + slack) / v.norm()};
+}
+
+/// The greatest n . x in the domain, a cone: that of the direction nearest to n.
+Real greatest_in_domain(const Vec3& n, const std::optional<Tilt>& tilt) {
+  if (!tilt) return n.norm();
+  const Vec3 from = tilt->from.cast<Real>();
+  const Real along = n.dot(from), across = (n - along * from).norm();
+  if (std::atan2(across, along) <= tilt->most) return n.norm();
+  return along * std::cos(Real{tilt->most}) + across * std::sin(Real{tilt->most});
+}
+
+using Polygon = std::vector<Vec3>;
+
+/// A large square in the plane of a half-space, around the point nearest to the origin.
+Polygon square_in(const HalfSpace& half, Real size) {
+  const Vec3 e = half.a.unitOrthogonal(), f = half.a.cross(e);
+  Polygon square;
+  for (const auto& [x, y] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}})
+    square.emplace_back(half.b * half.a + size * (x * e + y * f));
+  return square;
+}
+
+/// What a half-space leaves of a polygon.
+Polygon clipped(const Polygon& polygon, const HalfSpace& half) {
+  Polygon rest;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec3& from = polygon[k];
+    const Vec3& to = polygon[(k + 1) % polygon.size()];
+    const Real start = half.beyond(from), end = half.beyond(to);
+    if (start <= 0) rest.push_back(from);
+    if ((start < 0 && end > 0) || (start > 0 && end < 0))
+      rest.emplace_back(from + start / (start - end) * (to - from));
+  }
+  return rest;
+}
+
+/// How near to the origin, and how far from it, is what cuts leave; nothing: infinitely far, and 0.
+struct Distances {
+  Real nearest{std::numeric_limits<Real>::infinity()}, farthest{0};
+};
+
+/// Adds a face: the nearest point is in its middle, or on its boundary.
+void add_face(Distances& left, const Polygon& face, const HalfSpace& half) {
+  const Vec3 middle = half.b * half.a;
+  bool inside = !face.empty();
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const Vec3& from = face[k];
+    const Vec3 way = face[(k + 1) % face.size()] - from;
+    inside = inside && half.a.dot(way.cross(middle - from)) >= 0;
+    const Real part = way.squaredNorm() > 0 ? -from.dot(way) / way.squaredNorm() : 0;
+    left.nearest = std::min(left.nearest, (from + std::clamp(part, Real{0}, Real{1}) * way).norm());
+    left.farthest = std::max(left.farthest, from.norm());
+  }
+  if (inside) left.nearest = std::min(left.nearest, middle.norm());
+}
+
+/// What cuts leave is bounded by faces: the part of each plane that all other cuts leave.
+Distances left_by(std::vector<HalfSpace> cuts) {
+  constexpr Real outside = 4;
+  for (int k = 0; k < 3; ++k)
+    for (const Real sign : {1, -1}) cuts.push_back({sign * Vec3::Unit(k), outside});
+  Distances left;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    if (std::abs(cuts[i].b) > 2 * outside) continue;
+    Polygon face = square_in(cuts[i], 4 * outside);
+    for (std::size_t j = 0; j < cuts.size() && !face.empty(); ++j)
+      if (j != i) face = clipped(face, cuts[j]);
+    add_face(left, face, cuts[i]);
+  }
+  if (std::all_of(cuts.begin(), cuts.end(), [](const HalfSpace& c) { return c.b >= 0; }))
+    left.nearest = 0;
+  return left;
+}
+
+}  // namespace
+
+void check_cuts(Verdict& verdict, const RealGrasp& grasp, const std::vector<Cut>& cuts,
+                const std::optional<Tilt>& tilt, Real least, const std::string& words) {
+  const Path list = Path() / "cuts";
+  std::vector<HalfSpace> half_spaces;
+  for (std::size_t k = 0; k < cuts.size(); ++k) {
+    if (cuts[k].n) {
+      const Vec3 n = cuts[k].n->cast<Real>();
+      verdict.check(list[k] / "n", "n . x <= 0 in the whole domain [of n]",
+                    greatest_in_domain(n, tilt) / n.norm(), 1e-9L);
+      half_spaces.push_back({n / n.norm(), 0});
+      continue;
+    }
+    const RealLoad& load = load_of(verdict, list[k] / "scenario", grasp, cuts[k].load);
+    const HalfSpace half = half_space(grasp, load, real(cuts[k].y), least);
+    if (std::isfinite(half.b) && half.a.allFinite())  // else y does not move the com
+      half_spaces.push_back(half);
+  }
+  // What is left is convex: it does not meet the unit sphere if it lies inside or outside.
+  const Distances left = left_by(half_spaces);
+  // Without any cut: forces add up to the weight, and W^2 <= V sum share.
+  Real shares = 0;
+  for (const RealContact& contact : grasp.contacts) shares += contact.share;
+  const Real alone = std::sqrt(least * shares) / grasp.greatest_weight();
+  verdict.check(list, words, std::min({left.farthest, 1 / left.nearest, alone}), 1 + 1e-6L);
+}
+
+}  // namespace poise::verify

@@ -1,0 +1,237 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "verify/checks.hpp"
+#include "verify/curve.hpp"
+
+namespace poise::verify {
+namespace {
+
+/// How V runs around an optimum; slopes are per radian, of V.
+struct Surroundings {
+  Real off{1};       ///< how far the effort is from V of the nearest arc
+  Real steep{0};     ///< how steeply V falls away from a minimum, or rises from a maximum
+  Real jump{0};      ///< of the slope from one side to the other
+  Real differs{0};   ///< how far V leaves the effort along the stretch
+  Real flattest{1};  ///< the least slope of an arc there
+  Real digits{0};
+  bool at_end{false}, fits{false};
+};
+
+/// Where an optimum lies, seen from an arc.
+struct Stretch {
+  Real from, to, effort;
+};
+
+Real relative_slope(const RealArc& arc, Real theta, Real effort) {
+  return arc.V.slope(theta) / (effort + 1e-4L * arc.V.scale());
+}
+
+/// One-sided slopes, of the arcs that reach the ends of the stretch.
+struct Slopes {
+  std::optional<Real> before, after;
+};
+
+void look_at(const RealArc& arc, const Stretch& stretch, Slopes& slopes, Surroundings& around) {
+  const Real from = std::clamp(stretch.from, arc.from, arc.to);
+  const Real to = std::clamp(stretch.to, arc.from, arc.to);
+  if (std::abs(from - stretch.from) <= end_slack && arc.to - stretch.from >= -end_slack) {
+    around.off = std::min(around.off, difference(arc.V(from), stretch.effort));
+    around.flattest =
+        std::min(around.flattest, std::abs(relative_slope(arc, from, stretch.effort)));
+    around.digits = std::max(around.digits, 1e-13L * arc.V.scale() / stretch.effort);
+  }
+  if (arc.is_sliver()) return;
+  if (stretch.from > arc.from + end_slack && stretch.from <= arc.to + 2 * end_slack &&
+      arc.to > arc.from)
+    slopes.before = relative_slope(arc, from, stretch.effort);
+  if (stretch.to >= arc.from - 2 * end_slack && stretch.to < arc.to - end_slack)
+    slopes.after = relative_slope(arc, to, stretch.effort);
+  const Real first = std::max(stretch.from, arc.from), last = std::min(stretch.to, arc.to);
+  if (first < last)
+    for (const Real theta : {first, last})
+      around.differs = std::max(around.differs, difference(arc.V(theta), stretch.effort));
+}
+
+Surroundings surroundings(const RealOptimum& optimum, const std::vector<Chain>& chains,
+                          Extremum type) {
+  const Real sign = type == Extremum::max ? -1 : 1;
+  Surroundings around;
+  for (const Chain& chain : chains) {
+    const Real start = chain.from();
+    const Real here = unwound(optimum.from, start), last = here + optimum.to - optimum.from;
+    const Real beyond = std::max(start - here, last - chain.to());
+    if (!chain.circle && beyond > end_slack) continue;
+    around.fits = true;
+    around.at_end =
+        !chain.circle && (here - start <= 2 * end_slack || chain.to() - last <= 2 * end_slack);
+    Slopes slopes;
+    for (const RealArc& arc : chain.arcs)
+      for (const Real turn : {Real{0}, -2 * pi, 2 * pi})  // where a circle is closed
+        look_at(arc, {here - turn, last - turn, optimum.claim.effort}, slopes, around);
+    if (slopes.before) around.steep = std::max(around.steep, sign * *slopes.before);
+    if (slopes.after) around.steep = std::max(around.steep, -sign * *slopes.after);
+    if (slopes.before && slopes.after) around.jump = *slopes.after - *slopes.before;
+  }
+  return around;
+}
+
+bool is_kind(Kind kind, const Surroundings& around, bool stretch) {
+  if (kind == Kind::boundary) return around.at_end;
+  if (kind == Kind::kink) return !stretch && !around.at_end && around.jump > 1e-12L;
+  return !around.at_end && (stretch || around.jump < 1e-6L || around.flattest < 1e-5L);
+}
+
+Real cross(const Vec& a, const Vec& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// The edges along which two contacts press, and the vertical through the com, meet in one point.
+void check_meeting(Verdict& verdict, const RealGrasp& grasp, const RealOptimum& optimum) {
+  const OptimumClaim& claim = optimum.claim;
+  std::vector<std::size_t> loaded;
+  for (std::size_t i = 0; i < claim.contacts.size(); ++i) {
+    if (claim.contacts[i].state == ContactState::unloaded) continue;
+    if (claim.contacts[i].state != ContactState::slipping) return;
+    loaded.push_back(i);
+  }
+  if (claim.kind != Kind::kink || loaded.size() != 2) return;
+  if (claim.contacts.size() != grasp.contacts.size()) return;
+  const Path place = optimum.place / "edges_meet";
+  verdict.check(place, "of a kink of two slipping contacts edges_meet is told",
+                claim.edges_meet.has_value());
+  if (!claim.edges_meet) return;
+  const RealLoad& load = grasp.loads.front();
+  std::array<Vec, 2> edges;
+  for (std::size_t k = 0; k < 2; ++k) edges[k] = real(claim.contacts[loaded[k]].force).normalized();
+  const Real sine = std::abs(cross(edges[0], edges[1]));
+  if (!*claim.edges_meet) return verdict.check(place, "edges are parallel", sine, 1.1e-9L);
+  const Vec point = real(**claim.edges_meet);
+  const Real extent = (point - load.com).norm() + load.radius, size = extent > 0 ? extent : 1;
+  for (std::size_t k = 0; k < 2; ++k)
+    verdict.check(place, "edges_meet is on the edges of the cones [of its distance]",
+                  std::abs(cross(point - grasp.contacts[loaded[k]].position, edges[k])) / size,
+                  1e-9L);
+  verdict.check(place, "edges_meet is on the vertical through the com [of its distance]",
+                std::abs(cross(point - load.com, real(claim.up))) / size,
+                1e-9L / std::max(sine, Real{1e-6L}));
+}
+
+/// Postures, next to each other, that are as low (or, turned round, as high) as any around.
+struct Valley {
+  Real from, to;
+};
+
+/// A point of the curve, with what rounding leaves of its value.
+struct CurvePoint {
+  Real theta, value, rounding;
+};
+
+/// All ends and turning points along a chain of sign * V.
+std::vector<CurvePoint> points_of(const Chain& chain, Real sign) {
+  std::vector<CurvePoint> points;
+  for (int round = 0; round < (chain.circle ? 2 : 1); ++round)  // twice around: none is at an end
+    for (const RealArc& arc : chain.arcs)
+      for (const Real theta : arc.V.turning_points(arc.from, arc.to))
+        points.push_back({theta + 2 * pi * round, sign * arc.V(theta),
+                          1e-9L * std::abs(arc.V(theta)) + 1e-12L * arc.V.scale()});
+  return points;
+}
+
+/// The neighbours of a point that are as low.
+Valley valley_around(const std::vector<CurvePoint>& points, std::size_t k) {
+  const Real level = points[k].value + points[k].rounding;
+  std::size_t first = k, last = k;
+  while (first > 0 && points[first - 1].value <= level) --first;
+  while (last + 1 < points.size() && points[last + 1].value <= level) ++last;
+  return {points[first].theta, points[last].theta};
+}
+
+/// The local minima of sign * V along a chain that are deeper than rounding.
+std::vector<Valley> valleys(const Chain& chain, Real sign) {
+  const std::vector<CurvePoint> points = points_of(chain, sign);
+  std::vector<Valley> found;
+  std::size_t lowest = 0, highest = 0;  // since the last turn
+  bool falling = !chain.circle;         // may the way down be the end
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const CurvePoint& p = points[k];
+    if (falling) {
+      if (p.value < points[lowest].value) lowest = k;
+      if (p.value <= points[lowest].value + p.rounding + points[lowest].rounding) continue;
+      found.push_back(valley_around(points, lowest));
+      falling = false;
+      highest = k;
+    } else {
+      if (p.value > points[highest].value) highest = k;
+      if (p.value >= points[highest].value - p.rounding - points[highest].rounding) continue;
+      falling = true;
+      lowest = k;
+    }
+  }
+  if (falling && !chain.circle) found.push_back(valley_around(points, lowest));
+  if (chain.circle && found.empty())
+    found.push_back({points.front().theta, points.front().theta + 2 * pi});
+  return found;
+}
+
+}  // namespace
+
+RealOptimum check_optimum(Verdict& verdict, const Path& place, const RealGrasp& grasp,
+                          const OptimumClaim& claim, const std::vector<Chain>& chains,
+                          Extremum type, Real force_cap) {
+  check_least_hold<2>(verdict, place, grasp, claim, force_cap);
+  const Real theta = radians_of(claim.angle_deg);
+  RealOptimum optimum{place, claim, theta, theta, theta};
+  verdict.check(place, "an optimum is holdable", claim.holdable);
+  if (!claim.holdable) return optimum;
+  if (claim.from_deg && claim.to_deg) {
+    optimum.from = radians_of(*claim.from_deg);
+    optimum.to = radians_of(*claim.to_deg);
+    verdict.check(place, "the posture is the middle of its stretch [rad]",
+                  angle_between((optimum.from + optimum.to) / 2, theta), 1e-9L);
+  }
+  const Surroundings around = surroundings(optimum, chains, type);
+  optimum.digits = around.digits;
+  verdict.check(place, "the posture lies in a holdable interval", around.fits);
+  verdict.check(place, "effort is V of its arc", around.off, 1e-7L + around.digits);
+  verdict.check(place, "V rises from a minimum and falls from a maximum [of V, per rad]",
+                around.steep, 1e-5L);
+  const Real width = optimum.to - optimum.from;
+  if (width > 0) verdict.check(place, "V is the same along the stretch", around.differs, 1e-8L);
+  verdict.check(place / "kind", "kind follows from the arcs",
+                is_kind(claim.kind, around, width > 1e-8L));
+  check_meeting(verdict, grasp, optimum);
+  return optimum;
+}
+
+void check_complete(Verdict& verdict, const Path& list, const std::vector<RealOptimum>& optima,
+                    const std::vector<Chain>& chains, Extremum type) {
+  const bool maxima = type == Extremum::max;
+  const std::string words = maxima ? "maxima" : "minima";
+  for (const Chain& chain : chains)
+    for (const Valley& valley : valleys(chain, maxima ? -1 : 1)) {
+      const auto inside = [&](const RealOptimum& optimum) {
+        return within(optimum.angle, valley.from, valley.to, 2 * end_slack) ||
+               within(valley.from, optimum.from, optimum.to, 2 * end_slack);
+      };
+      verdict.check(list, "all " + words + " of the arcs are in the list",
+                    std::any_of(optima.begin(), optima.end(), inside));
+    }
+  for (std::size_t i = 0; i < optima.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      verdict.check(optima[i].place, words + " are listed once",
+                    angle_between(optima[i].angle, optima[k].angle) > 1e-9L);
+  for (std::size_t i = 1; i < optima.size(); ++i) {
+    const RealOptimum &a = optima[i - 1], &b = optima[i];
+    const Real rise = Real{b.claim.effort} - a.claim.effort;
+    const Real worse = (maxima ? rise : -rise) / b.claim.effort;
+    const Real digits = a.digits + b.digits;
+    verdict.check(b.place, "optima are in the order of their effort", worse, 2e-9L + digits);
+    if (std::abs(worse) + digits > 0.5e-9L) continue;
+    const Real nearer = std::abs(b.angle) - std::abs(a.angle);
+    verdict.check(b.place, "of equal optima that of the least angle is first",
+                  nearer > -2e-8L && (nearer > 2e-8L || b.angle <= a.angle + 1e-7L));
+  }
+}
+
+}  // namespace poise::verify

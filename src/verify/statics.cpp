@@ -1,0 +1,179 @@
+#include "verify/statics.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace poise::verify {
+
+Vec wrench(const Vec& force, const Vec& point) {
+  if (force.size() == 2) {
+    Vec w(3);
+    w << force, point[0] * force[1] - point[1] * force[0];
+    return w;
+  }
+  Vec w(6);
+  w << force, point.head<3>().cross(force.head<3>());
+  return w;
+}
+
+Vec wrench(const RealLoad& load, const Vec& up) {
+  return wrench(load.weight * up, load.com) + load.fixed;
+}
+
+Vec velocity(const Vec& y, const Vec& point) {
+  if (y.size() == 3) {
+    Vec v(2);
+    v << y[0] - y[2] * point[1], y[1] + y[2] * point[0];
+    return v;
+  }
+  return y.head<3>() + y.tail<3>().cross(point.head<3>());
+}
+
+Real turning(const Vec& y) { return y.size() == 3 ? std::abs(y[2]) : y.tail<3>().norm(); }
+
+Real relative_size(const Vec& w, const RealLoad& load) {
+  const Vec force = w.head(load.com.size());
+  const Vec moment = (w - wrench(force, load.com)).tail(w.size() - force.size());
+  const Real size = force.norm() / load.weight;
+  if (!(load.radius > 0)) return size;
+  return std::max(size, moment.norm() / (load.weight * load.radius));
+}
+
+Real outside(const RealContact& contact, const Vec& force) {
+  return std::max({Real{0}, contact.least - force[0], force[0] - contact.most,
+                   force.tail(force.size() - 1).norm() - contact.friction * force[0]});
+}
+
+// The cone is round in the tangential part: what is nearest lies in the half-plane (n, t) of z,
+// inside or on one of the sides of the trapezoid.
+Vec project(const RealContact& contact, const Vec& z) {
+  if (outside(contact, z) <= 0) return z;
+  const Real mu = contact.friction;
+  const Real zn = z[0], zt = z.tail(z.size() - 1).norm();
+  const Real foot = std::clamp((zn + mu * zt) / (1 + mu * mu), contact.least, contact.most);
+  Real n = foot, t = mu * foot;
+  for (const Real side : {contact.least, contact.most}) {
+    if (!std::isfinite(side)) continue;
+    const Real along = std::min(zt, mu * side);
+    if (std::hypot(zn - side, zt - along) >= std::hypot(zn - n, zt - t)) continue;
+    n = side;
+    t = along;
+  }
+  Vec f = zt > 0 ? Vec(z * (t / zt)) : Vec(Vec::Zero(z.size()));
+  f[0] = n;
+  return f;
+}
+
+Real phi(const RealContact& contact, const Vec& z) {
+  const Vec f = project(contact, contact.share * z);
+  return z.dot(f) - f.squaredNorm() / contact.share / 2;
+}
+
+Real phi(const RealGrasp& grasp, const Vec& y) {
+  Real sum = 0;
+  for (const RealContact& contact : grasp.contacts) sum += phi(contact, contact.G.transpose() * y);
+  return sum;
+}
+
+Real bound(const RealGrasp& grasp, const Vec& w, const Vec& y) {
+  return 2 * (y.dot(w) - phi(grasp, y));
+}
+
+Real imbalance_power(const RealLoad& load, const Vec& y) {
+  return load.weight * (velocity(y, load.com).norm() + load.radius * turning(y));
+}
+
+namespace {
+
+/// Two tangents, at right angles to the normal and to each other; one in the plane.
+Mat tangents(const Vec& n) {
+  Mat t(n.size(), n.size() - 1);
+  if (n.size() == 2) {
+    t << -n[1], n[0];
+    return t;
+  }
+  Eigen::Index least = 0;
+  n.cwiseAbs().minCoeff(&least);
+  const Eigen::Matrix<Real, 3, 1> normal = n.head<3>();
+  t.col(0) = normal.cross(Eigen::Matrix<Real, 3, 1>::Unit(least)).normalized();
+  t.col(1) = normal.cross(t.col(0).head<3>());
+  return t;
+}
+
+template <int Dim>
+RealContact real_contact(const Contact<Dim>& contact) {
+  RealContact result{contact.finger,   real(contact.position), real(contact.normal),
+                     contact.friction, contact.min_normal,     contact.max_normal,
+                     contact.share,    contact.torsion,        {}};
+  const Mat t = tangents(result.normal);
+  const bool soft = Dim == 3 && result.torsion > 0;
+  result.G = Mat::Zero(wrench_size<Dim>, soft ? Dim + 1 : Dim);
+  result.G.col(0) = wrench(result.normal, result.position);
+  for (int k = 0; k < t.cols(); ++k) result.G.col(1 + k) = wrench(t.col(k), result.position);
+  if (soft) result.G.col(Dim).tail(3) = result.normal * (result.torsion / result.friction);
+  return result;
+}
+
+}  // namespace
+
+Real RealGrasp::greatest_weight() const {
+  Real greatest = 0;
+  for (const RealLoad& load : loads) greatest = std::max(greatest, load.weight);
+  return greatest;
+}
+
+template <int Dim>
+RealGrasp real_grasp(const Grasp<Dim>& grasp) {
+  RealGrasp result{Dim, {}, {}, grasp.fingers()};
+  for (const Contact<Dim>& contact : grasp.contacts())
+    result.contacts.push_back(real_contact(contact));
+  for (const Load<Dim>& load : grasp.loads()) {
+    RealLoad& real_load = result.loads.emplace_back();
+    real_load = {load.weight, real(load.com), real(load.fixed)};
+    for (const RealContact& contact : result.contacts)
+      real_load.radius = std::max(real_load.radius, (contact.position - real_load.com).norm());
+  }
+  return result;
+}
+
+template RealGrasp real_grasp(const Grasp<2>&);
+template RealGrasp real_grasp(const Grasp<3>&);
+
+RealGrasp with_load(RealGrasp grasp, const RealLoad& load) {
+  grasp.loads = {load};
+  return grasp;
+}
+
+RealGrasp with_friction(RealGrasp grasp, Real factor) {
+  for (RealContact& contact : grasp.contacts) {
+    contact.friction *= factor;
+    contact.torsion *= factor;  // G has their ratio
+  }
+  return grasp;
+}
+
+WeightBound weight_bound(const RealGrasp& grasp, const RealLoad& load, const Vec& up, const Vec& y,
+                         Real cap) {
+  WeightBound bound{0, -y.dot(load.fixed)};
+  Real squared = 0;
+  for (const RealContact& contact : grasp.contacts) {
+    const Vec z = contact.G.transpose() * y;
+    // What a force with normal force 1 can do against y at most.
+    const Real power = z[0] + contact.friction * z.tail(z.size() - 1).norm();
+    if (std::isfinite(contact.most)) {
+      bound.fixed += std::max(contact.least * power, contact.most * power);
+      continue;
+    }
+    bound.fixed += contact.least * power;
+    RealContact whole = contact;
+    whole.least = 0;
+    squared += contact.share * project(whole, z).squaredNorm();
+  }
+  const RealLoad newton{1, load.com, Vec::Zero(y.size()), load.radius};
+  bound.gain =
+      y.dot(wrench(newton, up)) - delta * imbalance_power(newton, y) - cap * std::sqrt(squared);
+  return bound;
+}
+
+}  // namespace poise::verify

@@ -1,0 +1,89 @@
+// The grasp and the mathematics by which answers are checked, written out plainly, in the plane and
+// in space alike: docs/certificate.md. Nothing here knows how answers are found.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "poise/grasp.hpp"
+#include "verify/verdict.hpp"
+
+namespace poise::verify {
+
+using Vec = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using Mat = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// Balance within this counts as balance: force / W and moment / (W L).
+inline constexpr Real delta = 1e-12L;
+
+/// Numbers of an answer.
+template <int Size>
+Vec real(const Eigen::Matrix<double, Size, 1>& numbers) {
+  return numbers.template cast<Real>();
+}
+
+/// A contact; its force is written along the normal, then along the tangents, and for a soft finger
+/// there follows its moment about the normal, times friction / torsion.
+struct RealContact {
+  std::string finger;
+  Vec position, normal;                           ///< the normal points inwards and has length 1
+  Real friction{0}, least{0}, most{0}, share{1};  ///< least and most: of the normal force
+  Real torsion{0};                                ///< [m], 0 for a hard finger
+  Mat G;                                          ///< the wrench of such a force, about the origin
+};
+
+struct RealLoad {
+  Real weight{0};
+  Vec com;
+  Vec fixed;       ///< the wrench that does not turn with gravity, about the origin
+  Real radius{0};  ///< L, the distance of the farthest contact from the com
+};
+
+struct RealGrasp {
+  int dim{2};
+  std::vector<RealLoad> loads;
+  std::vector<RealContact> contacts;
+  std::vector<std::string> fingers;  ///< in the order of their first contact
+
+  Real greatest_weight() const;
+};
+
+template <int Dim>
+RealGrasp real_grasp(const Grasp<Dim>& grasp);
+
+/// The same contacts with one load.
+RealGrasp with_load(RealGrasp grasp, const RealLoad& load);
+/// The same contacts with all frictions and torsions multiplied by a factor.
+RealGrasp with_friction(RealGrasp grasp, Real factor);
+
+/// The wrench of a force at a point, about the origin.
+Vec wrench(const Vec& force, const Vec& point);
+/// The wrench that the contacts must supply.
+Vec wrench(const RealLoad& load, const Vec& up);
+/// The velocity of a point under the twist y, and the length of its angular velocity.
+Vec velocity(const Vec& y, const Vec& point);
+Real turning(const Vec& y);
+/// Force / W and moment / (W L) of a wrench, the moment about the com: the larger.
+Real relative_size(const Vec& wrench, const RealLoad& load);
+
+/// How far a force is outside of its friction cone and limits.
+Real outside(const RealContact& contact, const Vec& force);
+/// The nearest point to z of the friction cone, cut at its limits.
+Vec project(const RealContact& contact, const Vec& z);
+/// The greatest z . f - |f|^2 / (2 share) of forces f in the cone, and for y the sum over contacts.
+Real phi(const RealContact& contact, const Vec& z);
+Real phi(const RealGrasp& grasp, const Vec& y);
+/// 2 (y . w - phi(G^T y)): no forces that balance w have less effort.
+Real bound(const RealGrasp& grasp, const Vec& w, const Vec& y);
+/// |v| + L |omega| times the weight, v at the com: the power of y on an imbalance of 1 at most.
+Real imbalance_power(const RealLoad& load, const Vec& y);
+
+/// weight * gain <= fixed for every weight that is held in a posture with a force norm of at most
+/// `cap` weights, balanced within delta.
+struct WeightBound {
+  Real gain{0}, fixed{0};
+};
+WeightBound weight_bound(const RealGrasp& grasp, const RealLoad& load, const Vec& up, const Vec& y,
+                         Real cap);
+
+}  // namespace poise::verify
