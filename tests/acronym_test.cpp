@@ -115,9 +115,9 @@ TEST_F(AcronymFile, IsTheObjectInItsScaledFrame) {
   const Eigen::AlignedBox3d box = bounds(*file.shape);
   EXPECT_LE((box.min() - Vector<3>(2.98, -0.04, -0.03)).norm(), 1e-6);
   EXPECT_LE((box.max() - Vector<3>(3.02, 0.04, 0.03)).norm(), 1e-6);
-  ASSERT_EQ(file.scenarios.size(), 1U);
-  EXPECT_EQ(file.scenarios[0].com, Vector<3>(3.01, 0.02, -0.01));
-  EXPECT_NEAR(file.scenarios[0].weight, 0.013 * standard_gravity, 1e-15);
+  ASSERT_EQ(file.loads.size(), 1U);
+  EXPECT_EQ(file.loads[0].com, Vector<3>(3.01, 0.02, -0.01));
+  EXPECT_NEAR(file.loads[0].weight, 0.013 * standard_gravity, 1e-15);
   EXPECT_EQ(file.name, "grasps, grasp 0");
   EXPECT_EQ(file.warnings, std::vector<std::string>());
 }
@@ -144,12 +144,12 @@ TEST_F(AcronymFile, PadsCloseOnTheObject) {
 TEST_F(AcronymFile, IsWrittenAsAGraspFileWithItsGripper) {
   const Acronym data(write(contents_), folder_.string());
   const SpatialFile file = data.grasp(0);
-  const std::string text = grasp_document(file, Held::by_gripper, folder_.string());
+  const std::string text = grasp_document(file, WriteAs::gripper, folder_.string());
   EXPECT_NE(text.find("\"meshes/Box/box.obj\""), text.npos) << text;
   const SpatialFile back =
       std::get<SpatialFile>(grasp_from_json(text, (folder_ / "out.json").string()));
-  EXPECT_EQ(back.scenarios[0].com, file.scenarios[0].com);
-  EXPECT_EQ(back.scenarios[0].weight, file.scenarios[0].weight);
+  EXPECT_EQ(back.loads[0].com, file.loads[0].com);
+  EXPECT_EQ(back.loads[0].weight, file.loads[0].weight);
   ASSERT_EQ(back.contacts.size(), file.contacts.size());
   for (std::size_t i = 0; i < file.contacts.size(); ++i)
     EXPECT_LE((back.contacts[i].position - file.contacts[i].position).norm(), 1e-12);
@@ -227,7 +227,7 @@ TEST_F(AcronymFile, MostOfTheDataSetsGraspsTouchOnBothSides) {
         const SpatialFile file = data.grasp(n);
         // The published centre of mass is that of the mesh.
         if (touched++ == 0) {
-          EXPECT_LE((centroid(*file.shape) - file.scenarios[0].com).norm(), 1e-5);
+          EXPECT_LE((centroid(*file.shape) - file.loads[0].com).norm(), 1e-5);
         }
       } catch (const MissedGrip&) {
       }

@@ -76,8 +76,8 @@ void expect_equal(const PlanarFile& a, const PlanarFile& b) {
   EXPECT_EQ(a.safety, b.safety);
   EXPECT_EQ(a.angle, b.angle);
   EXPECT_EQ(a.domain, b.domain);
-  EXPECT_EQ(a.object.weight, b.object.weight);
-  EXPECT_EQ(a.object.com, b.object.com);
+  EXPECT_EQ(a.loads[0].weight, b.loads[0].weight);
+  EXPECT_EQ(a.loads[0].com, b.loads[0].com);
   ASSERT_EQ(a.shape.has_value(), b.shape.has_value());
   if (a.shape) {
     EXPECT_EQ(outline(*a.shape), outline(*b.shape));
@@ -101,8 +101,8 @@ TEST(GraspFile, SaysWhatItSays) {
   EXPECT_EQ(file.safety, 1.25);
   EXPECT_DOUBLE_EQ(file.angle.value(), pi / 2);
   EXPECT_EQ(file.domain, Domain::pinched);
-  EXPECT_DOUBLE_EQ(file.object.weight, 2 * 9.80665);
-  EXPECT_TRUE(file.object.com.isApprox(Vector<2>(0.01, -0.02)));
+  EXPECT_DOUBLE_EQ(file.loads[0].weight, 2 * 9.80665);
+  EXPECT_TRUE(file.loads[0].com.isApprox(Vector<2>(0.01, -0.02)));
   EXPECT_DOUBLE_EQ(std::get<Disk>(file.shape.value()).radius, 1);
   ASSERT_EQ(file.contacts.size(), 2U);
   EXPECT_TRUE(file.contacts[0].position.isApprox(Vector<2>(1, 0)));
@@ -152,10 +152,10 @@ TEST(GraspFile, AUnitScalesEveryLength) {
   for (const auto& [unit, scale] : {std::pair("m", 1.0), std::pair("cm", 0.01),
                                     std::pair("mm", 0.001), std::pair("in", 0.0254)}) {
     const PlanarFile file = read(top + "length_unit: " + unit + "\n" + rest);
-    EXPECT_TRUE(file.object.com.isApprox(scale * metres.object.com));
+    EXPECT_TRUE(file.loads[0].com.isApprox(scale * metres.loads[0].com));
     EXPECT_TRUE(file.contacts[0].position.isApprox(scale * metres.contacts[0].position));
     EXPECT_DOUBLE_EQ(size(*file.shape), scale * 2.5);
-    EXPECT_EQ(file.object.weight, 1);
+    EXPECT_EQ(file.loads[0].weight, 1);
     EXPECT_EQ(file.contacts[0].min_normal, 0.5);
     EXPECT_EQ(file.contacts[0].normal, metres.contacts[0].normal);
   }
@@ -175,8 +175,9 @@ TEST(GraspFile, OutwardNormalsAreFlippedThoseOfTheShapeAreNot) {
 TEST(GraspFile, TheCentreOfMassIsThatOfTheShapeUnlessGiven) {
   const std::string shape = "shape: {polygon: [[0, 0], [3, 0], [3, 1], [1, 1], [1, 4], [0, 4]]}";
   EXPECT_TRUE(read(top + "object: {weight: 1, " + shape + "}\n" + contacts)
-                  .object.com.isApprox(Vector<2>(1, 1.5)));
-  EXPECT_EQ(read(top + "object: {weight: 1, com: [1, 2], " + shape + "}\n" + contacts).object.com,
+                  .loads[0]
+                  .com.isApprox(Vector<2>(1, 1.5)));
+  EXPECT_EQ(read(top + "object: {weight: 1, com: [1, 2], " + shape + "}\n" + contacts).loads[0].com,
             Vector<2>(1, 2));
 }
 

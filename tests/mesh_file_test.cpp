@@ -14,7 +14,6 @@
 
 #include "files/grasp_file.hpp"
 #include "files/grasp_writer.hpp"
-#include "files/result.hpp"
 #include "meshes.hpp"
 
 namespace poise {
@@ -162,9 +161,9 @@ TEST_F(MeshFile, EveryFormatIsTheSameBody) {
     const SpatialFile read_file = read("{density: 1000, shape: {mesh: " + file + "}}", somewhere);
     const double scale = file == "box.gltf" ? 2 : 1;
     EXPECT_EQ(of_mesh(read_file), Strings()) << file;
-    ASSERT_EQ(read_file.scenarios.size(), 1U);
-    EXPECT_NEAR(read_file.scenarios[0].weight, std::pow(scale, 3) * weight_of_water, 1e-5) << file;
-    EXPECT_LE((read_file.scenarios[0].com - scale * middle).norm(), 1e-7) << file;
+    ASSERT_EQ(read_file.loads.size(), 1U);
+    EXPECT_NEAR(read_file.loads[0].weight, std::pow(scale, 3) * weight_of_water, 1e-5) << file;
+    EXPECT_LE((read_file.loads[0].com - scale * middle).norm(), 1e-7) << file;
     EXPECT_EQ(std::get<MeshShape>(*read_file.shape).mesh->vertices.size(), 8U) << file;
   }
 }
@@ -181,8 +180,8 @@ TEST_F(MeshFile, HasTheUnitOfTheFileOrAScaleOfItsOwn) {
                           : head.find("in") != std::string::npos ? 0.0254
                                                                  : 0.01;
       const double times = 1000 * (scale.empty() ? unit : 0.002);
-      EXPECT_NEAR(file.scenarios[0].weight / (weight_of_water * std::pow(times, 3)), 1, 1e-6);
-      EXPECT_LE((file.scenarios[0].com - times * middle).norm(), 1e-7 * times);
+      EXPECT_NEAR(file.loads[0].weight / (weight_of_water * std::pow(times, 3)), 1, 1e-6);
+      EXPECT_LE((file.loads[0].com - times * middle).norm(), 1e-7 * times);
       EXPECT_TRUE(file.contacts[0].position.isApprox(Vector<3>::Constant(unit)));
       EXPECT_NEAR(std::get<MeshShape>(*file.shape).scale, times / 1000, 1e-15);
     }
@@ -192,8 +191,8 @@ TEST_F(MeshFile, GivenComAndWeightComeFirst) {
   write("box.obj", box);
   const SpatialFile file =
       read("{mass: 2, com: [0.02, 0.03, 0.04], shape: {mesh: box.obj}}", somewhere);
-  EXPECT_EQ(file.scenarios[0].weight, 2 * standard_gravity);
-  EXPECT_EQ(file.scenarios[0].com, Vector<3>(0.02, 0.03, 0.04));
+  EXPECT_EQ(file.loads[0].weight, 2 * standard_gravity);
+  EXPECT_EQ(file.loads[0].com, Vector<3>(0.02, 0.03, 0.04));
 }
 
 TEST_F(MeshFile, ScenariosMayHaveDensities) {
@@ -202,11 +201,11 @@ TEST_F(MeshFile, ScenariosMayHaveDensities) {
       "{shape: {mesh: box.obj}, scenarios: [{density: 1000}, {density: 500, com: [0, 0, 0]}, "
       "{weight: 3}]}",
       somewhere);
-  ASSERT_EQ(file.scenarios.size(), 3U);
-  EXPECT_NEAR(file.scenarios[0].weight, weight_of_water, 1e-5);
-  EXPECT_NEAR(file.scenarios[1].weight, weight_of_water / 2, 1e-5);
-  EXPECT_LE((file.scenarios[2].com - middle).norm(), 1e-7);
-  EXPECT_EQ(file.scenarios[1].com, Vector<3>(0, 0, 0));
+  ASSERT_EQ(file.loads.size(), 3U);
+  EXPECT_NEAR(file.loads[0].weight, weight_of_water, 1e-5);
+  EXPECT_NEAR(file.loads[1].weight, weight_of_water / 2, 1e-5);
+  EXPECT_LE((file.loads[2].com - middle).norm(), 1e-7);
+  EXPECT_EQ(file.loads[1].com, Vector<3>(0, 0, 0));
 }
 
 TEST_F(MeshFile, DensityOfSolidsToo) {
@@ -215,7 +214,7 @@ TEST_F(MeshFile, DensityOfSolidsToo) {
                                       {"cylinder: {radius: 2, height: 3}", 12 * pi},
                                       {"sphere: {radius: 3}", 36 * pi},
                                       {"ellipsoid: {radii: [1, 2, 3]}", 8 * pi}})
-    EXPECT_NEAR(read("{density: 2, shape: {" + shape + "}}", somewhere).scenarios[0].weight,
+    EXPECT_NEAR(read("{density: 2, shape: {" + shape + "}}", somewhere).loads[0].weight,
                 2 * volume * standard_gravity, 1e-11);
 }
 
@@ -225,7 +224,7 @@ TEST_F(MeshFile, SaysWhatItMended) {
   EXPECT_EQ(of_mesh(file),
             Strings{"object.shape.mesh: inverted.obj was inside out, and was turned"});
   EXPECT_EQ(file.warnings[0].substr(at("f.yaml").size(), 6), ":4:39:");
-  EXPECT_NEAR(file.scenarios[0].weight, weight_of_water, 1e-5);
+  EXPECT_NEAR(file.loads[0].weight, weight_of_water, 1e-5);
 }
 
 TEST_F(MeshFile, AnOpenOneNeedsComAndWeight) {
@@ -331,18 +330,18 @@ TEST_F(MeshFile, GripsAreWrittenAsContactsAndReadBack) {
            "  samples: 8, max_force: 40}\n");
   ASSERT_EQ(file.contacts.size(), 16U);
   EXPECT_EQ(file.warnings, Strings());
-  for (const Held held : {Held::by_contacts, Held::by_gripper}) {
+  for (const WriteAs held : {WriteAs::contacts, WriteAs::gripper}) {
     fs::create_directories(folder() / "sub");
     const std::string text = grasp_document(file, held, at("sub"));
     const SpatialFile back = std::get<SpatialFile>(grasp_from_json(text, at("sub/back.json")));
-    EXPECT_EQ(back.gripper.has_value(), held == Held::by_gripper);
+    EXPECT_EQ(back.gripper.has_value(), held == WriteAs::gripper);
     EXPECT_EQ(back.warnings, Strings()) << text;
     EXPECT_EQ(back.name, "held");
     EXPECT_EQ(back.safety, 1.5);
     EXPECT_TRUE(back.up->isApprox(*file.up, 1e-15));
     EXPECT_NEAR(back.tilt->most, file.tilt->most, 1e-15);
-    EXPECT_EQ(back.scenarios[0].weight, file.scenarios[0].weight);
-    EXPECT_EQ(back.scenarios[0].com, file.scenarios[0].com);
+    EXPECT_EQ(back.loads[0].weight, file.loads[0].weight);
+    EXPECT_EQ(back.loads[0].com, file.loads[0].com);
     EXPECT_EQ(std::get<MeshShape>(*back.shape).mesh->vertices,
               std::get<MeshShape>(*file.shape).mesh->vertices);
     ASSERT_EQ(back.contacts.size(), file.contacts.size());
@@ -403,12 +402,12 @@ TEST_F(MeshFile, ARobotModelKnowsMassAndCom) {
   // In metres, in the frame of the link: neither the joint nor the turn of the inertial moves it.
   const SpatialFile file =
       read("{inertial: {urdf: arm.urdf, link: cup}}", "length_unit: mm\n" + somewhere);
-  EXPECT_EQ(file.scenarios[0].weight, 1.5 * standard_gravity);
-  EXPECT_EQ(file.scenarios[0].com, Vector<3>(0.1, -0.2, 0.3));
+  EXPECT_EQ(file.loads[0].weight, 1.5 * standard_gravity);
+  EXPECT_EQ(file.loads[0].com, Vector<3>(0.1, -0.2, 0.3));
   const SpatialFile more =
       read("{scenarios: [{inertial: {urdf: arm.urdf, link: cup}}, {weight: 1, com: [0, 0, 0]}]}",
            somewhere);
-  EXPECT_EQ(more.scenarios[0].weight, 1.5 * standard_gravity);
+  EXPECT_EQ(more.loads[0].weight, 1.5 * standard_gravity);
   EXPECT_EQ(problem("{inertial: {urdf: arm.urdf, link: cap}}"),
             "object.inertial.urdf: arm.urdf has no link cap, its links are air, base, cup");
   EXPECT_EQ(problem("{inertial: {urdf: arm.urdf, link: air}}"),
@@ -498,7 +497,7 @@ TEST_F(MeshFile, OddOnesAreReadRightOrRefused) {
     const auto& shape = std::get<MeshShape>(*file.shape);
     const Eigen::Vector4d sums = by_columns(*shape.mesh, 800);
     EXPECT_NEAR(sums[0] / volume(*shape.mesh), 1, 0.01) << path;
-    EXPECT_LE((sums.tail<3>() / sums[0] - file.scenarios[0].com).norm(), 0.003 * size(Solid(shape)))
+    EXPECT_LE((sums.tail<3>() / sums[0] - file.loads[0].com).norm(), 0.003 * size(Solid(shape)))
         << path;
   }
   EXPECT_EQ(files, 22);
@@ -516,10 +515,10 @@ TEST_F(MeshFile, MassesAreThosePublished) {
                                       parts + "/" + part["filename"].get<std::string>() + "'}}",
                                   "length_unit: in\n" + somewhere);
     // The mesh is a little off the body whose numbers these are.
-    EXPECT_NEAR(file.scenarios[0].weight / standard_gravity / pound / part["mass"].get<double>(), 1,
+    EXPECT_NEAR(file.loads[0].weight / standard_gravity / pound / part["mass"].get<double>(), 1,
                 1e-3);
     for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(file.scenarios[0].com[k] / inch,
+      EXPECT_NEAR(file.loads[0].com[k] / inch,
                   part["center_mass"][static_cast<std::size_t>(k)].get<double>(), 1.5e-3);
   }
 }

@@ -1,11 +1,12 @@
 // The JSON documents have exactly the keys that are promised, with the promised types.
-#include "files/result.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
+
+#include "ask/document.hpp"
 
 namespace poise {
 namespace {
@@ -115,12 +116,21 @@ Grasp<2> limited_disk() {
   return Grasp<2>({.weight = 10}, contacts);
 }
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
+
+HoldAnswer<2> held_at(const Grasp<2>& grasp, double theta, const HoldSettings& settings = {}) {
+  return {.settings = settings, .posture = posture_at<2>(grasp, up_at(theta), settings)};
+}
+
+std::string best_text(const Grasp<2>& grasp, const CurveSettings& settings = {}) {
+  return document(grasp, BestAnswer<2>{settings, best_posture(grasp, settings)});
+}
 
 TEST(ResultDocument, OfAHoldHasThePromisedKeys) {
   const Grasp<2> grasp = disk(5 * pi / 12, 1, 1 / std::sqrt(3.0));
-  const Json document =
-      parsed(hold_document(grasp, pi / 6, hold(grasp, up_at(pi / 6)), {}, {.angle_deg = 30.0}));
+  HoldAnswer<2> answer = held_at(grasp, pi / 6);
+  answer.option.angle_deg = 30;
+  const Json document = parsed(poise::document(grasp, answer));
   EXPECT_EQ(keys(document), with(document_keys, hold_keys));
   EXPECT_EQ(document["command"], "hold");
   EXPECT_EQ(document["options"], (Json{{"force_cap", 1e6}, {"angle_deg", 30.0}}));
@@ -132,16 +142,17 @@ TEST(ResultDocument, OfAHoldHasThePromisedKeys) {
 
 TEST(ResultDocument, OfAHoldEchoesWhatWasAskedFor) {
   const Grasp<2> grasp = disk(1, 1, 1);
-  const Hold<2> upright = hold(grasp, up_at(0));
-  const Json plain = parsed(hold_document(grasp, 0, upright, {.force_cap = 50}));
+  const Json plain = parsed(document(grasp, held_at(grasp, 0, {.force_cap = 50})));
   EXPECT_EQ(plain["options"], (Json{{"force_cap", 50.0}}));
-  const Json up = parsed(hold_document(grasp, -0.0, upright, {}, {.up = Vector<2>(-0.0, 2.0)}));
+  HoldAnswer<2> answer = held_at(grasp, -0.0);
+  answer.option.up = {-0.0, 2.0};
+  const Json up = parsed(document(grasp, answer));
   EXPECT_EQ(up["options"], (Json{{"force_cap", 1e6}, {"up", {0.0, 2.0}}}));
 }
 
 TEST(ResultDocument, OfAHoldThatIsNoneHasItsReason) {
   const Grasp<2> grasp = disk(pi / 4, 1, 1);
-  const Json document = parsed(hold_document(grasp, 0.3, hold(grasp, up_at(0.3)), {}));
+  const Json document = parsed(poise::document(grasp, held_at(grasp, 0.3)));
   EXPECT_EQ(keys(document), with(document_keys, unholdable_keys));
   EXPECT_EQ(document["holdable"], false);
   EXPECT_GT(document["lower_bound"], 1e12 * 100);
@@ -156,7 +167,7 @@ TEST(ResultDocument, OfTheBestPostureHasThePromisedKeys) {
     const std::size_t contacts = grasp.contacts().size(), fingers = grasp.fingers().size();
     for (const Domain domain : {Domain::all, Domain::pinched}) {
       const CurveSettings settings{.domain = domain};
-      const Json document = parsed(best_document(grasp, best_posture(grasp, settings), settings));
+      const Json document = parsed(best_text(grasp, settings));
       EXPECT_EQ(keys(document), with(document_keys, best_keys));
       EXPECT_EQ(document["options"],
                 (Json{{"domain", domain == Domain::all ? "all" : "pinched"}, {"force_cap", 1e6}}));
@@ -191,7 +202,7 @@ TEST(ResultDocument, OfTheBestPostureHasThePromisedKeys) {
 
 TEST(ResultDocument, OfAKinkBetweenTwoSlippingContactsSaysWhereTheirEdgesMeet) {
   const Grasp<2> grasp = disk(5 * pi / 12, 1, 1 / std::sqrt(3.0));
-  const Json document = parsed(best_document(grasp, best_posture(grasp), {}));
+  const Json document = parsed(best_text(grasp));
   const Json& meet = document["best_pinched"]["edges_meet"];
   ASSERT_EQ(meet.size(), 2U);
   EXPECT_NEAR(std::atan2(meet[0].get<double>(), meet[1].get<double>()), pi / 6, 1e-12);
@@ -202,7 +213,7 @@ TEST(ResultDocument, OfAnObjectThatCannotBeHeldIsNullsAndProof) {
   const Grasp<2> grasp({.weight = 10, .com = {0, 1}},
                        {{.position = {1, 0}, .normal = {0, 1}, .friction = 0.1},
                         {.position = {1.5, 0}, .normal = {0, 1}, .friction = 0.1}});
-  const Json document = parsed(best_document(grasp, best_posture(grasp), {}));
+  const Json document = parsed(best_text(grasp));
   EXPECT_EQ(document["status"], "unholdable");
   for (const char* key : {"best", "best_pinched", "worst", "lower_bound", "relative_gap"})
     EXPECT_TRUE(document[key].is_null()) << key;
@@ -213,7 +224,10 @@ TEST(ResultDocument, OfAnObjectThatCannotBeHeldIsNullsAndProof) {
 
 TEST(ResultDocument, OfTheCurveHasThePromisedKeys) {
   for (const Grasp<2>& grasp : {disk(5 * pi / 12, 1, 1 / std::sqrt(3.0)), limited_disk()}) {
-    const Json document = parsed(curve_document(grasp, posture_curve(grasp), {}));
+    CurveAnswer answer{{}, posture_curve(grasp)};
+    for (const Optimum& optimum : answer.curve.optima)
+      answer.optima.push_back(minimum_at(grasp, optimum));
+    const Json document = parsed(poise::document(grasp, answer));
     EXPECT_EQ(keys(document), with(document_keys, {"optima", "arcs", "holdable_arcs_deg"}));
     EXPECT_EQ(document["command"], "curve");
     check_arcs(document["arcs"], grasp.contacts().size());
@@ -231,7 +245,9 @@ TEST(ResultDocument, OfACheckSaysWhatWasUnderstood) {
     "contacts": [{"position": [30, 0], "friction": 4, "max_normal": 20},
                  {"position": [-30, 0], "friction": 0.5, "finger": "thumb"}]})",
                                                                "f.json"));
-  const Json document = parsed(check_document(file, file.grasp()));
+  const Grasp<2> grasp = file.grasp();
+  const Json document =
+      parsed(poise::document(file, grasp, CheckAnswer<2>{force_closure(grasp), {}}));
   EXPECT_EQ(keys(document), with(document_keys, {"name", "dimension", "safety", "angle_deg",
                                                  "domain", "weight", "com", "shape", "contacts",
                                                  "force_closure", "cradled_deg", "warnings"}));
@@ -248,7 +264,7 @@ TEST(ResultDocument, OfACheckSaysWhatWasUnderstood) {
 
 TEST(ResultDocument, IsWrittenInReadableLines) {
   const Grasp<2> grasp = limited_disk();
-  const std::string text = best_document(grasp, best_posture(grasp), {});
+  const std::string text = best_text(grasp);
   std::size_t longest = 0, from = 0;
   for (std::size_t at = 0; (at = text.find('\n', from)) != std::string::npos; from = at + 1)
     longest = std::max(longest, at - from);

@@ -55,11 +55,11 @@ void check(const SpatialFile& file) {
   EXPECT_DOUBLE_EQ(file.tilt.value().most, 30 * degree);
   EXPECT_DOUBLE_EQ(std::get<Cylinder>(file.shape.value()).radius, 0.03);
   EXPECT_DOUBLE_EQ(std::get<Cylinder>(file.shape.value()).height, 0.2);
-  ASSERT_EQ(file.scenarios.size(), 2U);
-  EXPECT_EQ(file.scenarios[0].weight, standard_gravity);
-  EXPECT_EQ(file.scenarios[0].com, Vector<3>(0, 0, 0));
-  EXPECT_EQ(file.scenarios[1].weight, 5);
-  EXPECT_TRUE(file.scenarios[1].com.isApprox(Vector<3>(0, 0, -0.05), 1e-15));
+  ASSERT_EQ(file.loads.size(), 2U);
+  EXPECT_EQ(file.loads[0].weight, standard_gravity);
+  EXPECT_EQ(file.loads[0].com, Vector<3>(0, 0, 0));
+  EXPECT_EQ(file.loads[1].weight, 5);
+  EXPECT_TRUE(file.loads[1].com.isApprox(Vector<3>(0, 0, -0.05), 1e-15));
   ASSERT_EQ(file.contacts.size(), 2U);
   EXPECT_TRUE(file.contacts[0].position.isApprox(Vector<3>(0.018, 0.024, 0.01), 1e-15));
   EXPECT_TRUE(file.contacts[0].normal.isApprox(Vector<3>(-0.6, -0.8, 0), 1e-15));
@@ -68,12 +68,12 @@ void check(const SpatialFile& file) {
   EXPECT_EQ(file.contacts[1].torsion, 0);
   EXPECT_EQ(file.contacts[1].max_normal, 7);
   EXPECT_EQ(file.warnings, std::vector<std::string>());
-  const std::vector<Grasp<3>> grasps = file.grasps();
-  ASSERT_EQ(grasps.size(), 2U);
-  EXPECT_EQ(grasps[1].object().weight, 5);
+  const Grasp<3> grasp = file.grasp();
+  ASSERT_EQ(grasp.loads().size(), 2U);
+  EXPECT_EQ(grasp.loads()[1].weight, 5);
   // Safety divides friction and torsion.
-  EXPECT_EQ(grasps[0].contacts()[0].friction, 0.25);
-  EXPECT_DOUBLE_EQ(grasps[1].contacts()[0].torsion, 0.002);
+  EXPECT_EQ(grasp.contacts()[0].friction, 0.25);
+  EXPECT_DOUBLE_EQ(grasp.contacts()[0].torsion, 0.002);
 }
 
 TEST(SpatialFile, SaysWhatItSays) { check(read(yaml)); }
@@ -90,7 +90,7 @@ TEST(SpatialFile, HasDefaults) {
   EXPECT_FALSE(file.up);
   EXPECT_FALSE(file.tilt);
   EXPECT_FALSE(file.shape);
-  EXPECT_EQ(file.scenarios.size(), 1U);
+  EXPECT_EQ(file.loads.size(), 1U);
   EXPECT_EQ(file.contacts[0].torsion, 0);
 }
 
@@ -110,7 +110,7 @@ TEST(SpatialFile, AUnitScalesEveryLength) {
       EXPECT_DOUBLE_EQ(bounds(*file.shape).max().x(), scale * radius);
       EXPECT_DOUBLE_EQ(file.contacts[0].torsion, scale * 0.5);
       EXPECT_EQ(file.contacts[0].min_normal, 0.5);
-      EXPECT_EQ(file.scenarios[0].weight, 1);
+      EXPECT_EQ(file.loads[0].weight, 1);
     }
 }
 

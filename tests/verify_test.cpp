@@ -6,10 +6,8 @@
 #include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "files/result.hpp"
-#include "files/spatial.hpp"
+#include "poise/turn.hpp"
 #include "random_grasps.hpp"
 
 namespace poise {
@@ -20,37 +18,49 @@ using test::Held;
 
 PlanarFile file_of(const Held& held) {
   PlanarFile file;
-  file.object = held.object;
+  file.loads = {held.object};
   file.contacts = held.contacts;
   return file;
 }
 
-verify::Claims checked(const GraspFile& file, const std::string& text) {
+verify::Verdict checked(const GraspFile& file, const std::string& text) {
   return verify::verify(file, parse_json(text, "result.json", max_result));
 }
 
-std::string words(const verify::Claims& claims) {
-  std::ostringstream text;
-  for (const verify::Refutation& each : claims.refutations())
-    text << each.path << ": " << each.words << ": " << each.off << " of " << each.allowed << "\n";
-  return text.str();
+/// What is refuted of a document.
+std::string words(const GraspFile& file, const std::string& text) {
+  return verify::refutations_text(checked(file, text));
+}
+
+HoldAnswer<2> hold_answer(const PlanarFile& file, double theta, double cap = 1e6) {
+  return {.settings = {cap}, .posture = posture_at<2>(file.grasp(), up_at(theta), {cap})};
+}
+BestAnswer<2> best_answer(const PlanarFile& file, const CurveSettings& settings = {}) {
+  return {settings, best_posture(file.grasp(), settings)};
+}
+CurveAnswer curve_answer(const PlanarFile& file, const CurveSettings& settings = {}) {
+  CurveAnswer answer{settings, posture_curve(file.grasp(), settings)};
+  for (const Optimum& optimum : answer.curve.optima)
+    answer.optima.push_back(minimum_at(file.grasp(), optimum, settings));
+  return answer;
 }
 
 std::string hold_text(const PlanarFile& file, double theta, double cap = 1e6) {
-  const Grasp<2> grasp = file.grasp();
-  return hold_document(grasp, theta, hold(grasp, up_at(theta), {cap}), {cap});
+  return document(file.grasp(), hold_answer(file, theta, cap));
 }
 std::string best_text(const PlanarFile& file, const CurveSettings& settings = {}) {
-  const Grasp<2> grasp = file.grasp();
-  return best_document(grasp, best_posture(grasp, settings), settings);
+  return document(file.grasp(), best_answer(file, settings));
 }
 std::string curve_text(const PlanarFile& file, const CurveSettings& settings = {}) {
-  const Grasp<2> grasp = file.grasp();
-  return curve_document(grasp, posture_curve(grasp, settings), settings);
+  return document(file.grasp(), curve_answer(file, settings));
 }
 
-void expect_confirmed(const PlanarFile& file, const std::string& text) {
-  RC_ASSERT(words(checked(file, text)) == "");
+/// Confirmed as values and as a document alike.
+template <class Answer>
+void expect_confirmed(const PlanarFile& file, const Answer& answer) {
+  const Grasp<2> grasp = file.grasp();
+  RC_ASSERT(verify::refutations_text(verify::verify(grasp, answer)) == "");
+  RC_ASSERT(words(file, document(grasp, answer)) == "");
 }
 
 CurveSettings any_domain() { return {*rc::gen::element(Domain::all, Domain::pinched)}; }
@@ -58,23 +68,23 @@ CurveSettings any_domain() { return {*rc::gen::element(Domain::all, Domain::pinc
 RC_GTEST_PROP(Verify, ConfirmsHolds, ()) {
   const Held held = *test::grasps();
   expect_confirmed(file_of(held),
-                   hold_text(file_of(held), std::abs(*rc::gen::exec(test::random_angle))));
+                   hold_answer(file_of(held), std::abs(*rc::gen::exec(test::random_angle))));
 }
 
 RC_GTEST_PROP(Verify, ConfirmsCurves, ()) {
   const Held held = *test::grasps({.most_contacts = 5, .awkward = false});
-  expect_confirmed(file_of(held), curve_text(file_of(held), any_domain()));
+  expect_confirmed(file_of(held), curve_answer(file_of(held), any_domain()));
 }
 
 RC_GTEST_PROP(Verify, ConfirmsTheBest, ()) {
   const Held held = *test::grasps({.most_contacts = 5, .awkward = false});
-  expect_confirmed(file_of(held), best_text(file_of(held), any_domain()));
+  expect_confirmed(file_of(held), best_answer(file_of(held), any_domain()));
 }
 
 RC_GTEST_PROP(Verify, ConfirmsTheNearlyUnholdable, ()) {
   const Held held = *test::nearly_unholdable();
-  expect_confirmed(file_of(held), best_text(file_of(held)));
-  expect_confirmed(file_of(held), curve_text(file_of(held)));
+  expect_confirmed(file_of(held), best_answer(file_of(held)));
+  expect_confirmed(file_of(held), curve_answer(file_of(held)));
 }
 
 // Among degenerate grasps there are a few whose arcs are so steep that rounding spoils them.
@@ -82,11 +92,11 @@ TEST(Verify, RefutesFewOfTheAwkward) {
   int tried = 0, refuted = 0;
   rc::check([&] {
     const Held held = *test::grasps({.most_contacts = 5});
-    const verify::Claims claims = checked(file_of(held), best_text(file_of(held), any_domain()));
+    const verify::Verdict verdict = checked(file_of(held), best_text(file_of(held), any_domain()));
     ++tried;
-    if (claims.confirmed()) return;
+    if (verdict.confirmed()) return;
     ++refuted;
-    if (std::getenv("POISE_SHOW")) std::cerr << held << "\n" << words(claims) << "\n";
+    if (std::getenv("POISE_SHOW")) std::cerr << held << "\n" << refutations_text(verdict) << "\n";
   });
   EXPECT_GE(tried, 100);
   EXPECT_LE(refuted, tried / 400);
@@ -130,7 +140,7 @@ bool is_rounding(double number, const std::string& path, double scale, double we
 }
 
 void expect_spoilt_refused(const GraspFile& file, const std::string& text, double weight) {
-  ASSERT_EQ(words(checked(file, text)), "");
+  ASSERT_EQ(words(file, text), "");
   int spoilt = 0;
   Json document = Json::parse(text);
   for_each_claim(document, "", 0, [&](double& number, const std::string& path, double scale) {
@@ -158,7 +168,7 @@ PlanarFile example(const std::string& name) {
 /// Nothing holds it: both fingers push the same way, beside the centre of mass.
 PlanarFile not_to_be_held() {
   PlanarFile file;
-  file.object = {10, {0, 1}};
+  file.loads = {{10, {0, 1}}};
   file.contacts = {{{1, 0}, {0, 1}, 0.1}, {{1.5, 0}, {0, 1}, 0.1}};
   return file;
 }
@@ -167,17 +177,17 @@ TEST(Verify, RefusesEveryNumberThatIsOff) {
   for (const char* name : {"ito-fig6", "l-part", "hexagon-three-fingers"}) {
     SCOPED_TRACE(name);
     const PlanarFile file = example(name);
-    expect_spoilt_refused(file, hold_text(file, file.angle.value_or(0.3)), file.object.weight);
-    expect_spoilt_refused(file, curve_text(file), file.object.weight);
-    expect_spoilt_refused(file, best_text(file), file.object.weight);
-    expect_spoilt_refused(file, best_text(file, {Domain::pinched}), file.object.weight);
+    expect_spoilt_refused(file, hold_text(file, file.angle.value_or(0.3)), file.loads[0].weight);
+    expect_spoilt_refused(file, curve_text(file), file.loads[0].weight);
+    expect_spoilt_refused(file, best_text(file), file.loads[0].weight);
+    expect_spoilt_refused(file, best_text(file, {Domain::pinched}), file.loads[0].weight);
   }
 }
 
 TEST(Verify, RefusesNumbersOfWhatCannotBeHeld) {
   const PlanarFile file = not_to_be_held();
   for (const std::string& text : {hold_text(file, 1), best_text(file)})
-    EXPECT_EQ(words(checked(file, text)), "");
+    EXPECT_EQ(words(file, text), "");
   Json hold = Json::parse(hold_text(file, 1));
   hold["lower_bound"] = hold["lower_bound"].get<double>() * (1 + 1e-5);
   EXPECT_FALSE(checked(file, hold.dump()).confirmed());
@@ -238,15 +248,21 @@ SpatialFile on_three_fingers(const std::string& tilt) {
 std::string best_text(const SpatialFile& file, const Eigen::Quaterniond& orientation) {
   SpatialSettings settings;
   settings.tilt = file.tilt;
-  return best_document(file.grasps(), best_posture(file.grasps(), settings), settings, orientation);
+  BestAnswer<3> answer{settings, best_posture(file.grasp(), settings)};
+  answer.orientation = orientation;
+  return document(file.grasp(), answer);
+}
+
+std::string hold_text(const SpatialFile& file, const Vector<3>& up) {
+  const HoldAnswer<3> answer{.posture = posture_at(file.grasp(), up)};
+  return document(file.grasp(), answer);
 }
 
 TEST(Verify, RefusesWhatIsOffInSpace) {
   const Eigen::Quaterniond lying(Eigen::AngleAxisd(1.2, Vector<3>(0.6, 0.64, 0.48)));
   const SpatialFile file = on_three_fingers("tilt: {from: [0.1, 0, 1], max_deg: 20}\n");
   const Vector<3> up = Vector<3>(0.1, 0.05, 1).normalized();
-  expect_spoilt_refused(file, hold_document(file.grasps(), hold_all(file.grasps(), up), {}, {}),
-                        10);
+  expect_spoilt_refused(file, hold_text(file, up), 10);
   expect_spoilt_refused(file, best_text(file, lying), 10);
 }
 
@@ -265,7 +281,7 @@ SpatialFile filled() {
 TEST(Verify, RefusesWhatIsOffWithScenariosAndLimits) {
   const SpatialFile file = filled();
   const Vector<3> up = Vector<3>(0.1, 0.05, 1).normalized();
-  expect_spoilt_refused(file, hold_document(file.grasps(), hold_all(file.grasps(), up), {}, {}), 3);
+  expect_spoilt_refused(file, hold_text(file, up), 3);
   const Eigen::Quaterniond lying(Eigen::AngleAxisd(1.2, Vector<3>(0.6, 0.64, 0.48)));
   expect_spoilt_refused(file, best_text(file, lying), 3);
 }
@@ -273,8 +289,8 @@ TEST(Verify, RefusesWhatIsOffWithScenariosAndLimits) {
 TEST(Verify, RefusesScenariosThatAreNotProven) {
   const SpatialFile file = filled();
   const Vector<3> up = Vector<3>(0.1, 0.05, 1).normalized();
-  const Json hold = Json::parse(hold_document(file.grasps(), hold_all(file.grasps(), up), {}, {}));
-  EXPECT_EQ(words(checked(file, hold.dump())), "");
+  const Json hold = Json::parse(hold_text(file, up));
+  EXPECT_EQ(words(file, hold.dump()), "");
   const std::size_t decides = hold["scenario"].get<std::size_t>(), other = 1 - decides;
   ASSERT_TRUE(hold["scenario_holds"][other].is_object());
   Json copy = hold;  // the one that does not decide, as if it did
@@ -290,10 +306,10 @@ TEST(Verify, RefusesScenariosThatAreNotProven) {
 TEST(Verify, RefusesThatNothingIsPinched) {
   const SpatialFile bottle = std::get<SpatialFile>(read_grasp_file(POISE_EXAMPLES "/bottle.yaml"));
   SpatialFile full = bottle;
-  full.scenarios.resize(1);
+  full.loads.resize(1);
   for (const SpatialFile& file : {filled(), full}) {
     const Json best = Json::parse(best_text(file, Eigen::Quaterniond::Identity()));
-    EXPECT_EQ(words(checked(file, best.dump())), "");
+    EXPECT_EQ(words(file, best.dump()), "");
     ASSERT_TRUE(best["best_pinched"].is_object());
     Json copy = best;
     copy["best_pinched"] = nullptr;
@@ -305,7 +321,7 @@ TEST(Verify, RefusesThatNothingIsPinched) {
 void expect_cuts_needed(const SpatialFile& file, const char* status) {
   const Json best = Json::parse(best_text(file, Eigen::Quaterniond::Identity()));
   EXPECT_EQ(best["status"], status);
-  EXPECT_EQ(words(checked(file, best.dump())), "");
+  EXPECT_EQ(words(file, best.dump()), "");
   int needed = 0, turned = 0;
   for (std::size_t k = 0; k < best["cuts"].size(); ++k) {
     Json copy = best;

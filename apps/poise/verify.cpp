@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "files/field.hpp"
 #include "files/json_text.hpp"
 #include "files/text.hpp"
 #include "verify/verify.hpp"
@@ -13,7 +14,6 @@ namespace poise {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using verify::Claims;
 
 /// Claims that are true or not have nothing to measure.
 std::string number(verify::Real value) {
@@ -22,7 +22,12 @@ std::string number(verify::Real value) {
 
 std::string place(const std::string& path) { return path.empty() ? "the document" : path; }
 
-std::string document(const Claims& claims) {
+/// The line in which a claim stands in the document.
+int line_of(const verify::Refutation& refutation, const Document& result) {
+  return Field(result).follow(refutation.path).place().line;
+}
+
+std::string document(const verify::Verdict& claims, const Document& result) {
   Json checks = Json::array(), refuted = Json::array();
   for (const verify::Check& check : claims.checks())
     checks.push_back({{"claim", check.words},
@@ -34,7 +39,7 @@ std::string document(const Claims& claims) {
   for (const verify::Refutation& each : claims.refutations())
     refuted.push_back({{"claim", each.words},
                        {"path", each.path},
-                       {"line", each.line},
+                       {"line", line_of(each, result)},
                        {"off", static_cast<double>(each.off)},
                        {"allowed", static_cast<double>(each.allowed)}});
   return json_text({{"poise_result", 1},
@@ -46,7 +51,7 @@ std::string document(const Claims& claims) {
                     {"notes", claims.notes()}});
 }
 
-std::string report(const Claims& claims, const std::string& file, const Style& style) {
+std::string report(const verify::Verdict& claims, const Document& result, const Style& style) {
   int times = 0;
   // The same claim is made at many places: the one closest to being refuted stands for all.
   std::vector<verify::Check> rows;
@@ -76,13 +81,14 @@ std::string report(const Claims& claims, const std::string& file, const Style& s
   for (const std::string& note : claims.notes()) text += "\n" + wrapped(note);
   if (claims.confirmed())
     return text + "\n" +
-           style.bold(fmt::format("Confirmed: all {} claims of {}.", times, shown(file))) + "\n";
+           style.bold(fmt::format("Confirmed: all {} claims of {}.", times, shown(result.file))) +
+           "\n";
   text += "\n" + style.bold("Refuted") + "\n";
   constexpr std::size_t most = 20;
   const auto& refuted = claims.refutations();
   for (std::size_t k = 0; k < std::min(most, refuted.size()); ++k) {
     const verify::Refutation& each = refuted[k];
-    text += fmt::format("  line {}, {}: {}", each.line, place(each.path), each.words);
+    text += fmt::format("  line {}, {}: {}", line_of(each, result), place(each.path), each.words);
     if (each.allowed > 0)
       text += fmt::format(": off by {}, allowed {}", number(each.off), number(each.allowed));
     text += "\n";
@@ -95,8 +101,8 @@ std::string report(const Claims& claims, const std::string& file, const Style& s
 
 Verdict verdict(const GraspFile& grasp, const std::string& result, bool json, const Style& style) {
   const Document read = parse_json(read_text(result, max_result), file_name(result), max_result);
-  const Claims claims = verify::verify(grasp, read);
-  return {json ? document(claims) : report(claims, file_name(result), style), claims.confirmed()};
+  const verify::Verdict claims = verify::verify(grasp, read);
+  return {json ? document(claims, read) : report(claims, read, style), claims.confirmed()};
 }
 
 }  // namespace poise
