@@ -75,7 +75,20 @@ void hold_warm(benchmark::State& state) {
   const std::vector<Case> cases = random_cases(n);
   measure<3>(state, cases.size(), n <= 64 ? 50 : 5, [&](std::size_t i) {
     const Case& c = cases[i];
-    benchmark::DoNotOptimize(hold(c.grasp, c.load, c.neighbour));
+    benchmark::DoNotOptimize(hold(c.grasp, c.load, 1, c.neighbour));
+  });
+}
+
+/// From contacts to a grasp that is checked, scaled and factorised.
+void make(benchmark::State& state) {
+  std::vector<Case> cases = random_cases(static_cast<std::size_t>(state.range(0)));
+  std::vector<std::vector<Contact<2>>> contacts;
+  for (const Case& c : cases) {
+    contacts.push_back(c.grasp.contacts());
+    for (Contact<2>& contact : contacts.back()) contact.finger.clear();
+  }
+  measure<3>(state, cases.size(), 50, [&](std::size_t i) {
+    benchmark::DoNotOptimize(Grasp<2>(Load<2>{}, contacts[i]));
   });
 }
 
@@ -111,6 +124,7 @@ BENCHMARK(hold_warm)
     ->Arg(16)
     ->Arg(64);
 BENCHMARK(hold_warm)->UseManualTime()->Iterations(100)->Arg(256)->Arg(1024);
+BENCHMARK(make)->UseManualTime()->Iterations(1000)->Arg(2)->Arg(4)->Arg(8);
 BENCHMARK(curve_of_the_papers_disk)->UseManualTime()->Iterations(1000);
 BENCHMARK(curve)->UseManualTime()->Iterations(1000)->Arg(2)->Arg(3)->Arg(4)->Arg(8)->Arg(16);
 BENCHMARK(curve)->UseManualTime()->Iterations(100)->Arg(64);

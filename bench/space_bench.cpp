@@ -37,10 +37,9 @@ Grasp<3> random_grasp(std::mt19937& random, std::size_t contacts, bool soft) {
 }
 
 /// In a posture where 30 weights of force norm hold it.
-std::vector<Case> random_cases(std::size_t contacts, bool soft) {
+std::vector<Case> random_cases(std::size_t contacts, bool soft, std::size_t count) {
   std::mt19937 random(2026);
   std::vector<Case> cases;
-  const std::size_t count = contacts <= 64 ? 1000 : 20;
   while (cases.size() < count) {
     const Grasp<3> grasp = random_grasp(random, contacts, soft);
     const Vector<3> up = direction(random);
@@ -51,6 +50,10 @@ std::vector<Case> random_cases(std::size_t contacts, bool soft) {
       cases.push_back({grasp, up, grasp.loads().front().at(up), there.dual});
   }
   return cases;
+}
+
+std::vector<Case> random_cases(std::size_t contacts, bool soft) {
+  return random_cases(contacts, soft, contacts <= 64 ? 1000 : 20);
 }
 
 int calls(std::size_t contacts) { return contacts <= 64 ? 20 : 2; }
@@ -67,7 +70,33 @@ void space_hold_warm(benchmark::State& state) {
   const std::vector<Case> cases = random_cases(n, state.range(1) == 1);
   measure<6>(state, cases.size(), calls(n), [&](std::size_t i) {
     const Case& c = cases[i];
-    benchmark::DoNotOptimize(hold(c.grasp, c.load, c.neighbour));
+    benchmark::DoNotOptimize(hold(c.grasp, c.load, 1, c.neighbour));
+  });
+}
+
+/// Of 2000 grasps, to tell how much more the rare slow holds take.
+void space_hold_warm_mean(benchmark::State& state) {
+  const std::vector<Case> cases = random_cases(static_cast<std::size_t>(state.range(0)), false, 2000);
+  measure<6>(
+      state, cases.size(), 10,
+      [&](std::size_t i) {
+        const Case& c = cases[i];
+        benchmark::DoNotOptimize(hold(c.grasp, c.load, 1, c.neighbour));
+      },
+      5);
+}
+
+/// From contacts to a grasp that is checked, scaled and factorised.
+void space_make(benchmark::State& state) {
+  const std::vector<Case> cases =
+      random_cases(static_cast<std::size_t>(state.range(0)), state.range(1) == 1);
+  std::vector<std::vector<Contact<3>>> contacts;
+  for (const Case& c : cases) {
+    contacts.push_back(c.grasp.contacts());
+    for (Contact<3>& contact : contacts.back()) contact.finger.clear();
+  }
+  measure<6>(state, cases.size(), 20, [&](std::size_t i) {
+    benchmark::DoNotOptimize(Grasp<3>(cases[i].grasp.loads().front(), contacts[i]));
   });
 }
 
@@ -94,7 +123,7 @@ void space_best(benchmark::State& state) {
     if (!best.holdable()) continue;
     const Wrench<3> load = grasp.loads().front().at(best.best().up);
     const Twist<3> y = hold(grasp, (best.best().up + Vector<3>(0.03, 0.02, 0.01)).normalized()).dual;
-    const double one = seconds([&] { benchmark::DoNotOptimize(hold(grasp, load, y)); }, 10);
+    const double one = seconds([&] { benchmark::DoNotOptimize(hold(grasp, load, 1, y)); }, 10);
     outside.push_back(1 - best.proof.holds * one / whole);
   }
   measure<6>(state, grasps.size(), 1,
@@ -125,6 +154,13 @@ BENCHMARK(space_hold_warm)
     ->Iterations(1000)
     ->ArgsProduct({{3, 4, 8, 16, 64}, {0, 1}});
 BENCHMARK(space_hold_warm)->Apply(holds)->Iterations(40)->ArgsProduct({{256, 4096}, {0, 1}});
+BENCHMARK(space_hold_warm_mean)
+    ->UseManualTime()
+    ->ArgName("contacts")
+    ->Iterations(2000)
+    ->Arg(3)
+    ->Arg(4);
+BENCHMARK(space_make)->Apply(holds)->Iterations(1000)->ArgsProduct({{4, 8}, {0, 1}});
 BENCHMARK(space_best)
     ->UseManualTime()
     ->ArgNames({"contacts", "soft", "digits"})

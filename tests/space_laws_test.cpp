@@ -221,7 +221,7 @@ RC_GTEST_PROP(SpaceLaws, OfAPlanarGraspIsThatOfThePlane, ()) {
     RC_ASSERT(!space.holdable());
     return;
   }
-  const double effort = plane.best().hold.effort;
+  const double effort = plane.best().hold().effort;
   if (std::sqrt(effort) > 1000 * held.object.weight) return;
   at_most(space, effort);
   at_least(space, effort);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "dual/ascend.hpp"
+#include "dual/dual.hpp"
 #include "files/field.hpp"
 #include "files/grasp_document.hpp"
 #include "files/grasp_writer.hpp"

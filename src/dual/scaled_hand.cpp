@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dual/cone_space.hpp"
+
 namespace poise {
 namespace {
 
@@ -19,8 +21,8 @@ constexpr double unfelt_eigenvalue = 1e-14;
 template <class Matrix, class Twist>
 Matrix pseudo_inverse(const Matrix& GGt, std::vector<Twist>& kernel) {
   const Eigen::LLT<Matrix> regular(GGt);
-  if (regular.info() == Eigen::Success &&
-      regular.matrixLLT().diagonal().cwiseAbs2().minCoeff() > safe_pivot * GGt.diagonal().maxCoeff())
+  if (regular.info() == Eigen::Success && regular.matrixLLT().diagonal().cwiseAbs2().minCoeff() >
+                                              safe_pivot * GGt.diagonal().maxCoeff())
     return regular.solve(Matrix::Identity());
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(GGt);
   auto values = eigen.eigenvalues().eval();
@@ -64,23 +66,6 @@ void put(const Contact<3>& contact, const Vector<3>& r, double root, ContactLane
     lane.b[d][k] = root * tangent(d, 1);
     lane.r[d][k] = r[d];
   }
-}
-
-/// The contact's columns of G.
-Eigen::Matrix<double, 6, 4> columns(const ContactLane<3>& lane, std::size_t k) {
-  Eigen::Matrix<double, 6, 4> G = Eigen::Matrix<double, 6, 4>::Zero();
-  Vector<3> r;
-  for (int d = 0; d < 3; ++d) {
-    r[d] = lane.r[d][k];
-    G(d, 0) = lane.n[d][k];
-    if (lane.mu[k] == 0) continue;
-    G(d, 1) = lane.a[d][k];
-    G(d, 2) = lane.b[d][k];
-  }
-  for (int column = 0; column < 3; ++column)
-    G.col(column).tail<3>() = r.cross(G.col(column).head<3>());
-  G.col(3).tail<3>() = lane.soft[k] * G.col(0).head<3>();
-  return G;
 }
 
 }  // namespace
@@ -136,7 +121,7 @@ template <>
 void Hand<3>::Scaled::prepare() {
   Eigen::Matrix<double, 6, 6> GGt = Eigen::Matrix<double, 6, 6>::Zero();
   for (std::size_t i = 0; i < size; ++i) {
-    const Eigen::Matrix<double, 6, 4> G = columns(lanes[i / lane_size], i % lane_size);
+    const Eigen::Matrix<double, 6, 4> G = dual::columns(lanes[i / lane_size], i % lane_size);
     GGt.noalias() += G * G.transpose();
   }
   unfelt.clear();
@@ -145,7 +130,7 @@ void Hand<3>::Scaled::prepare() {
   for (Twist<3>& y : unfelt) {
     Twist<3> felt = Twist<3>::Zero();
     for (std::size_t i = 0; i < size; ++i) {
-      const Eigen::Matrix<double, 6, 4> G = columns(lanes[i / lane_size], i % lane_size);
+      const Eigen::Matrix<double, 6, 4> G = dual::columns(lanes[i / lane_size], i % lane_size);
       felt += G * (G.transpose() * y);
     }
     y = (y - inverse * felt).normalized();

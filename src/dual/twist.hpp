@@ -8,7 +8,8 @@
 
 namespace poise {
 
-/// A twist about the hand's center in the solver's units, seen at the object frame's origin [N, N/m].
+/// A twist about the hand's center in the solver's units, seen at the object frame's origin [N,
+/// N/m].
 inline Twist<2> about_origin(const ScaledHand<2>& hand, double weight, const Twist<2>& scaled) {
   const double omega = scaled[2] * hand.per_length;
   return Twist<2>(scaled[0] + omega * hand.center.y(), scaled[1] - omega * hand.center.x(), omega) *

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "dual/cone_plane.hpp"
+#include "dual/cone_space.hpp"
 #include "hold/solve.hpp"
 
 namespace poise {
@@ -19,32 +21,12 @@ constexpr int most_probes = 200;
 // A force norm of a million weights makes rounding of doubles felt.
 using Real = long double;
 
-/// z of a contact: its velocity under y along the normal, and the length of what friction acts on.
-struct Slide {
-  Real normal, beside;
-  /// The greatest power of a force with normal force 1.
-  Real power(Real friction) const { return normal + friction * beside; }
-};
-
-Slide slide(const Contact<2>& contact, const Twist<2>& y) {
-  const Real ux = y[0] - Real{y[2]} * contact.position.y();
-  const Real uy = y[1] + Real{y[2]} * contact.position.x();
-  const Real nx = contact.normal.x(), ny = contact.normal.y();
-  return {nx * ux + ny * uy, std::abs(nx * uy - ny * ux)};
-}
-
-Slide slide(const Contact<3>& contact, const Twist<3>& y) {
-  using Real3 = Eigen::Matrix<Real, 3, 1>;
-  const Real3 n = contact.normal.cast<Real>(), omega = y.tail<3>().cast<Real>();
-  const Real3 u = y.head<3>().cast<Real>() + omega.cross(contact.position.cast<Real>());
-  const Real turn = contact.torsion > 0 ? omega.dot(n) * contact.torsion / contact.friction : 0;
-  return {u.dot(n), std::hypot((u - u.dot(n) * n).norm(), turn)};
-}
+using Slide = dual::Slide<Real>;
 
 template <int Dim>
 std::vector<Slide> slides(const Hand<Dim>& hand, const Twist<Dim>& y) {
   std::vector<Slide> result;
-  for (const Contact<Dim>& contact : hand.contacts()) result.push_back(slide(contact, y));
+  for (const Contact<Dim>& contact : hand.contacts()) result.push_back(dual::slide<Real>(contact, y));
   return result;
 }
 
@@ -60,7 +42,7 @@ Power power(const Hand<Dim>& hand, const std::vector<Slide>& slides, double fact
   for (std::size_t i = 0; i < slides.size(); ++i) {
     const Contact<Dim>& contact = hand.contacts()[i];
     const Slide& z = slides[i];
-    const Real mu = Real{factor} * contact.friction, along = z.power(mu);
+    const Real mu = Real{factor} * contact.friction, along = dual::power(z, mu);
     if (std::isfinite(contact.max_normal)) {
       power.fixed += (along > 0 ? contact.max_normal : contact.min_normal) * along;
       continue;
@@ -243,7 +225,7 @@ class WeightSearch {
     const std::vector<Slide> all = slides(asked_.hand, y);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Contact<Dim>& contact = asked_.hand.contacts()[i];
-      const Real along = all[i].power(contact.friction);
+      const Real along = dual::power(all[i], Real{contact.friction});
       const bool pressing = std::isfinite(contact.max_normal) && along > least;
       range_.deciding.push_back({pressing ? static_cast<double>(along / gain) : 0,
                                  contact.friction > 0 && all[i].beside > least && along > -least});

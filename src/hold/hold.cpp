@@ -7,7 +7,7 @@
 #include <limits>
 #include <sstream>
 
-#include "dual/ascend.hpp"
+#include "dual/cone_plane.hpp"
 #include "hold/solve.hpp"
 
 namespace poise {
@@ -61,7 +61,7 @@ Hold<Dim> hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight, co
   bool cold = false;
   if constexpr (Dim == 2) cold = dual::in_closed_form(problem);
   return solve<Dim>(problem, w,
-                    cold ? dual::cold_start<Dim>(problem, w) : about_center(problem.hand, weight, y),
+                    cold ? dual::cold_start(problem, w) : about_center(problem.hand, weight, y),
                     settings);
 }
 

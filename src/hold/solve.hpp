@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "dual/ascend.hpp"
 #include "dual/dual.hpp"
 #include "dual/twist.hpp"
 #include "poise/hold.hpp"
@@ -46,7 +45,7 @@ inline void write_forces(const dual::Problem<2>& problem, const ContactLane<2>& 
                          std::size_t count) {
   const Lane n = lane.f[0], t = lane.f[1], unit = problem.weight * c.root;
   const Lane normal = n * unit, tangential = t * unit;
-  const LaneStates states(normal, dual::magnitude(t) / (c.mu * n), problem.weight);
+  const LaneStates states(normal, magnitude(t) / (c.mu * n), problem.weight);
   for (std::size_t k = 0; k < count; ++k)
     forces[k] = {normal[k], tangential[k], states.friction_used[k], states[k], ForceLimit::none};
 }
@@ -112,7 +111,7 @@ Hold<Dim> solve(const dual::Problem<Dim>& problem, const Load<Dim>& load, const 
                 const HoldSettings& settings) {
   if (!(std::abs(up.squaredNorm() - 1) <= 1e-6)) throw InvalidGrasp("up", "must be a unit vector");
   const Wrench<Dim> w = scaled_load<Dim>(problem.hand, problem.weight, load, up);
-  return solve(problem, w, dual::cold_start<Dim>(problem, w), settings);
+  return solve(problem, w, dual::cold_start(problem, w), settings);
 }
 
 }  // namespace poise

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "dual/cone_plane.hpp"
 #include "dual/dual.hpp"
 #include "poise/posture_curve.hpp"
 

@@ -75,7 +75,7 @@ class Tracer {
     Reach reach(at);
     const Wrench<2> w = load_ * Vector<3>(1, reach.cosine, reach.sine);
     const bool holdable =
-        dual::maximise<2>(problem_, w, dual::cold_start<2>(problem_, w), cap_, point_);
+        dual::maximise<2>(problem_, w, dual::cold_start(problem_, w), cap_, point_);
     if (!holdable) {
       if (!(dual::lower_bound(point_) > cap_ * cap_)) return {at, at};
       unholdable_reach(w, reach);
@@ -106,7 +106,7 @@ class Tracer {
     bool ray = make_ray(limits);
     if (!ray) {  // in truth, or by rounding
       const dual::Point<2> narrow = point_;
-      dual::decide(in_wide_numbers().cones, w, cap_, wide_->point);
+      dual::decide<2>(in_wide_numbers().cones, w, cap_, wide_->point);
       dual::evaluate<2, double>(problem_, w, wide_->point.y.cast<double>(), point_);
       if (!(dual::lower_bound(point_) > cap_ * cap_)) point_ = narrow;
       ray = make_ray(limits);
@@ -149,7 +149,7 @@ class Tracer {
       return true;
     };
     if (!solve_with(solver_, point_)) {  // nearly degenerate faces
-      dual::decide(in_wide_numbers().cones, w, cap_, wide_->point);
+      dual::decide<2>(in_wide_numbers().cones, w, cap_, wide_->point);
       if (!solve_with(wide_->solver, wide_->point)) return false;
     }
     const double weight = problem_.weight, square = weight * weight;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "dual/ascend.hpp"
+#include "dual/dual.hpp"
 
 
 namespace poise::search {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "dual/ascend.hpp"
+#include "dual/newton.hpp"
 #include "dual/twist.hpp"
 
 
@@ -91,7 +91,7 @@ double felt(const dual::Point<3>& point, bool limited) {
     squared += sum(ff);
     contacts += lane_size;
   }
-  const double rounding = 1e-15 * std::sqrt(contacts) * dual::span(point.y);
+  const double rounding = 1e-15 * std::sqrt(contacts) * dual::l1_norm(point.y);
   const double phi = limited ? power - squared / 2 : squared / 2;
   return phi + rounding * (std::sqrt(squared) + rounding / 2);
 }
@@ -120,15 +120,15 @@ namespace {
 bool probe(const dual::Problem<3>& problem, const Wrench<3>& w, double known, double least,
            Twist<3>& start, dual::Point<3>& point) {
   // A very long y is of no use for other loads, and no start.
-  const auto too_long = [&](const Twist<3>& y) { return !(dual::span(y) < 1e4 * (1 + known)); };
-  if (too_long(start)) start = dual::cold_start<3>(problem, w);
+  const auto too_long = [&](const Twist<3>& y) { return !(dual::l1_norm(y) < 1e4 * (1 + known)); };
+  if (too_long(start)) start = dual::cold_start(problem, w);
   dual::evaluate<3, double>(problem, w, Twist<3>(start), point);
   for (int step = 0; step < 6; ++step) {
-    const dual::Square<3, double> M = dual::curvature<double>(problem, point);
+    const dual::Square<3, double> M = dual::curvature<3, double>(problem, point);
     const Twist<3> dy = dual::newton_step(M, point.residual);
     const double gain = point.residual.dot(dy), before = point.value;
     start = point.y;
-    if (!(dual::span(dy) < 3 * (1 + dual::span(start)))) return false;
+    if (!(dual::l1_norm(dy) < 3 * (1 + dual::l1_norm(start)))) return false;
     dual::evaluate<3, double>(problem, w, Twist<3>(start + dy), point);
     if (!(point.value >= before + 0.1 * gain) || too_long(point.y)) return false;
     start = point.y;
@@ -158,7 +158,7 @@ Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact,
     const dual::Problem<3>& problem = load.problem;
     const Wrench<3> w = load.at(x);
     dual::Point<3> point(problem.size);
-    Twist<3> start = from != nullptr && from->load == s ? from->y : dual::cold_start<3>(problem, w);
+    Twist<3> start = from != nullptr && from->load == s ? from->y : dual::cold_start(problem, w);
     const double in_units = load.weight * load.weight;
     if (known > 0 && probe(problem, w, known / in_units, best_V_ / in_units, start, point)) {
       ++holds_;
@@ -177,7 +177,7 @@ Evaluation Search::evaluate(const Vector<3>& given, const Row* from, bool exact,
       square = dual::squared_norm(point);
       if (approached && !holdable) ++refuted_;
       // Rounding of a load may ask for a very long y, of no use for other loads.
-      if (approached && holdable && dual::span(point.y) > 1e3 * dual::span(rough.y)) point = rough;
+      if (approached && holdable && dual::l1_norm(point.y) > 1e3 * dual::l1_norm(rough.y)) point = rough;
     }
     ++holds_;
     const double V = holdable ? in_units * square : infinity;
@@ -230,7 +230,7 @@ double Search::right_hand_side(const Row& row) const {
   if (row.plane) return 0;
   const double weight = cases_[row.load].weight, half = t_ / (2 * weight * weight);
   const double times = limited_ ? 1 : stretch(row, half), most = half / times + times * row.phi;
-  return (most + (dual::delta + 1e-15) * dual::length<3, double>(row.y)) / row.speed;
+  return (most + (dual::delta + 1e-15) * dual::dual_norm<3, double>(row.y)) / row.speed;
 }
 
 bool Search::cut(std::size_t row, std::size_t hint) {
