@@ -6,14 +6,12 @@
 #include <numbers>
 #include <vector>
 
-#include "poise/posture.hpp"
+#include "poise/grasp.hpp"
 
 namespace poise::search {
 
-using std::numbers::pi;
-
 /// Postures at most an angle away from a direction.
-struct Cone {
+struct TiltCone {
   Vector<3> axis;
   double most;
 
@@ -23,14 +21,14 @@ struct Cone {
   }
   /// The unit vector across the axis towards x.
   Vector<3> across(const Vector<3>& x) const {
-    const Vector<3> beside = x - axis.dot(x) * axis;
-    return beside.norm() > 1e-12 * x.norm() ? Vector<3>(beside.normalized())
-                                            : Vector<3>(tangents(axis).col(0));
+    const Vector<3> part = x - axis.dot(x) * axis;
+    return part.norm() > 1e-12 * x.norm() ? Vector<3>(part.normalized())
+                                          : Vector<3>(tangents(axis).col(0));
   }
   /// A plane n . x <= 0 of the cone: the one that touches it on x's side. Far behind x is cut
   /// deeper by the plane across the axis.
   Vector<3> plane(const Vector<3>& x) const {
-    if (most >= pi / 2 || axis.dot(x) < -0.7 * x.norm()) return -axis;
+    if (most >= std::numbers::pi / 2 || axis.dot(x) < -0.7 * x.norm()) return -axis;
     return std::cos(most) * across(x) - std::sin(most) * axis;
   }
   Vector<3> nearest(const Vector<3>& x) const {
@@ -73,5 +71,22 @@ struct OnPlanes {
   }
   Vector<3> fixed = Vector<3>::Zero(), along;
 };
+
+/// Postures in which one contact may carry all: it is right under the com, or above it.
+inline std::vector<Vector<3>> on_one_contact(const Grasp<3>& grasp) {
+  constexpr double rounding = 1e-9;  // of the radius, and of the friction
+  std::vector<Vector<3>> ups;
+  for (const Load<3>& load : grasp.loads())
+    for (const Contact<3>& contact : grasp.contacts()) {
+      const Vector<3> arm = load.com - contact.position;
+      const bool at_com = arm.norm() <= rounding * grasp.radius();
+      const Vector<3> along = at_com ? contact.normal : Vector<3>(arm.normalized());
+      const double normal = contact.normal.dot(along);
+      const double tangential = (along - normal * contact.normal).norm();
+      if (tangential <= contact.friction * std::abs(normal) + rounding)
+        ups.push_back(normal > 0 ? along : -along);
+    }
+  return ups;
+}
 
 }  // namespace poise::search

@@ -24,7 +24,7 @@ Polytope::Polytope(double half) : rounding_(2e-15 * half) {
     v.alive = true;
     add(v);
   }
-  for (int id = 0; id < 6; ++id)
+  for (int id = 0; id < static_cast<int>(cube_sides); ++id)
     planes_.push_back({(id % 2 == 0 ? 1 : -1) * Vector<3>::Unit(id / 2), half});
 }
 
@@ -44,7 +44,7 @@ std::size_t Polytope::add(const Vertex& vertex) {
 
 void Polytope::remove(std::size_t vertex) {
   vertices_[vertex].alive = false;
-  squares_[vertex] = -1;
+  squares_[vertex] = passed_over;
 }
 
 bool Polytope::cut(const Vector<3>& n, double b, int id) {
@@ -118,7 +118,7 @@ bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
     vertices_[i].next[0] = j;  // leaves its first plane: shares the second and the new one
     vertices_[j].next[1] = i;
     // The edge's other end knew it by the vertex that goes.
-    const std::array<int, 3>& planes = vertices_[i].planes;
+    const Planes& planes = vertices_[i].planes;
     Vertex& to = vertices_[vertices_[i].next[2]];
     for (std::size_t e = 0; e < 3; ++e)
       if (to.planes[e] != planes[0] && to.planes[e] != planes[1]) to.next[e] = i;
@@ -130,16 +130,28 @@ bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
   return true;
 }
 
-std::size_t Polytope::farthest(bool of_all) const {
+std::size_t Polytope::farthest() const {
   std::size_t best = none;
-  double most = -0.5;
-  for (std::size_t i = 0; i < squares_.size(); ++i) {
-    const double square = of_all && vertices_[i].alive ? vertices_[i].square : squares_[i];
-    if (!(square > most)) continue;
-    most = square;
-    best = i;
-  }
+  for (std::size_t i = 0; i < vertices_.size(); ++i)
+    if (vertices_[i].alive && (best == none || vertices_[i].square > vertices_[best].square))
+      best = i;
   return best;
+}
+
+std::size_t Polytope::farthest_not_passed_over() const {
+  // Of each lane, so that compilers use SIMD instructions.
+  constexpr std::size_t lanes = 8;
+  std::array<double, lanes> of_lane;
+  of_lane.fill(passed_over);
+  std::size_t i = 0;
+  for (; i + lanes <= squares_.size(); i += lanes)
+    for (std::size_t k = 0; k < lanes; ++k)
+      of_lane[k] = squares_[i + k] > of_lane[k] ? squares_[i + k] : of_lane[k];
+  double most = *std::max_element(of_lane.begin(), of_lane.end());
+  for (; i < squares_.size(); ++i) most = std::max(most, squares_[i]);
+  if (!(most > passed_over)) return none;
+  return static_cast<std::size_t>(std::find(squares_.begin(), squares_.end(), most) -
+                                  squares_.begin());
 }
 
 Vector<3> Polytope::nearest() const {

@@ -1,0 +1,265 @@
+#include "space/oracle.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "dual/newton.hpp"
+#include "dual/twist.hpp"
+
+namespace poise::search {
+namespace {
+
+/// So often a quick hold may turn out to be none before quick ones are believed no more: x is
+/// beside what can be held.
+constexpr int most_contradictions = 20;
+/// y longer than this times the effort is no start for other loads.
+constexpr double too_long = 1e4;
+/// Twists that no contact feels, of length 1, do nothing where they move the weight by less than
+/// no_motion; where they move it they are made so long that it is as good as infinite.
+constexpr double no_motion = 1e-9, endless = 1e8;
+/// A longer y, about the object frame's origin [weights], rounds y . w.
+constexpr double longest_y = 1e13;
+
+/// phi(G^T y), and what rounding of G^T y may hide of it: a cut must not be deeper than it is.
+double phi_rounded_up(const dual::Point<3>& point, bool is_gauge) {
+  double power = 0, squared = 0, contacts = 0;
+  for (const dual::LaneForces<3, double>& lane : point.lanes) {
+    Lane zf{}, ff{};
+    for (int k = 0; k < contact_size<3>; ++k) {
+      zf += lane.z[k] * lane.f[k];
+      ff += lane.f[k] * lane.f[k];
+    }
+    power += sum(zf);
+    squared += sum(ff);
+    contacts += lane_size;
+  }
+  const double rounding = 1e-15 * std::sqrt(contacts) * dual::l1_norm(point.y);
+  const double phi = is_gauge ? squared / 2 : power - squared / 2;
+  return phi + rounding * (std::sqrt(squared) + rounding / 2);
+}
+
+/// Newton steps until what the dual may still gain is little beside what it adds to `proven`, a
+/// bound on the effort. True where it then shows that w needs at least `least`; else `start` is
+/// where to go on from.
+bool needs_at_least(double least, double proven, const dual::Problem<3>& problem,
+                    const Wrench<3>& w, Twist<3>& start, dual::Point<3>& point) {
+  constexpr int most_steps = 6;
+  const auto is_too_long = [&](const Twist<3>& y) {
+    return !(dual::l1_norm(y) < too_long * (1 + proven));
+  };
+  if (is_too_long(start)) start = dual::cold_start(problem, w);
+  dual::evaluate<3, double>(problem, w, Twist<3>(start), point);
+  for (int step = 0; step < most_steps; ++step) {
+    const dual::Square<3, double> M = dual::curvature<3, double>(problem, point);
+    const Twist<3> dy = dual::newton_step(M, point.residual);
+    const double gain = point.residual.dot(dy), before = point.value;
+    start = point.y;
+    if (!(dual::l1_norm(dy) < 3 * (1 + dual::l1_norm(start)))) return false;
+    dual::evaluate<3, double>(problem, w, Twist<3>(start + dy), point);
+    if (!(point.value >= before + 0.1 * gain) || is_too_long(point.y)) return false;
+    start = point.y;
+    const double missing = least - 2 * point.value;
+    if (missing > 0) {
+      if (gain < 1e-3 * missing) return false;  // it may be the best yet
+      continue;
+    }
+    const double left = point.residual.dot(dual::newton_step(M, point.residual));
+    if (left <= 0.1 * (2 * point.value - proven)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ScaledLoad::ScaledLoad(const ScaledHand<3>& hand, const Load<3>& load, double heaviest,
+                       double force_cap)
+    : problem(hand, load.weight),
+      arm((load.com - hand.center) * hand.per_length),
+      fixed(scaled_wrench(hand, load.weight, load.fixed)),
+      weight(load.weight / heaviest),
+      unit(weight * weight),
+      cap(std::min(force_cap / weight, 1e9)) {}  // the most that a hold takes
+
+std::vector<ScaledLoad> scaled_loads(const Grasp<3>& grasp, const ScaledHand<3>& hand,
+                                     double force_cap) {
+  std::vector<ScaledLoad> loads;
+  for (const Load<3>& load : grasp.loads())
+    loads.emplace_back(hand, load, grasp.weight(), force_cap);
+  return loads;
+}
+
+const HalfSpace* nearest_held(const Vector<3>& x, const Corner& corner) {
+  const HalfSpace* nearest = nullptr;
+  for (const HalfSpace* each : corner)
+    if (each != nullptr && each->origin == HalfSpace::Origin::held &&
+        (nearest == nullptr || each->x.dot(x) > nearest->x.dot(x)))
+      nearest = each;
+  return nearest;
+}
+
+Oracle::Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads)
+    : is_gauge(!loads.front().problem.limited), candidates(on_one_contact(grasp)), loads_(loads) {
+  bool is_fixed = false;
+  double cap = 0;
+  for (const Contact<3>& contact : grasp.contacts()) shares_ += contact.share;
+  for (std::size_t s = 0; s < loads.size(); ++s) {
+    is_fixed = is_fixed || !loads[s].fixed.isZero(0);
+    cap = std::max(cap, loads[s].cap * loads[s].weight);
+    if (loads[s].weight == 1) heaviest_ = s;
+  }
+  is_gauge = is_gauge && !is_fixed;
+  most = cap * cap;
+  // |f| >= W / sqrt(sum share), by y = t e_k, where forces add up to the weight.
+  if (!is_fixed) least = 1 / shares_;
+  for (std::size_t s = 0; s < loads.size(); ++s)
+    for (const Twist<3>& twist : loads[s].problem.hand.unfelt) {
+      const Vector<3> v = loads[s].velocity(twist);
+      if (!(v.norm() > no_motion)) continue;
+      if (loads[s].fixed.isZero(0)) thin.push_back({v.normalized(), 0});
+      for (const double length : {endless, -endless})
+        unresisted.push_back(adopted({.load = s, .y = length * twist}));
+    }
+}
+
+double Oracle::half_width(double t) const { return least > 0 ? std::sqrt(t * shares_) : infinity; }
+
+Answer Oracle::evaluate(const Vector<3>& x, const Aim& aim) {
+  using Origin = HalfSpace::Origin;
+  Answer worst{-1, {}};
+  for (std::size_t s = 0; s < loads_.size(); ++s) {
+    const ScaledLoad& load = loads_[s];
+    const Wrench<3> w = load.at(x);
+    dual::Point<3> point(load.problem.size);
+    const bool is_near = aim.start != nullptr && aim.start->load == s;
+    Twist<3> start = is_near ? aim.start->y : dual::cold_start(load.problem, w);
+    ++holds;
+    if (aim.proven > 0 &&
+        needs_at_least(aim.best / load.unit, aim.proven / load.unit, load.problem, w, start, point))
+      return {2 * load.unit * point.value, half_space(point, s, x, Origin::held)};
+    const double value = effort(load, w, start, aim, point);
+    const bool holdable = value < infinity;
+    if (!(value > worst.value)) continue;
+    if (!holdable && !is_gauge) deepen(load, w, aim.target, point);
+    worst = {value, half_space(point, s, x, holdable ? Origin::held : Origin::unholdable)};
+    if (!holdable) break;
+  }
+  return worst;
+}
+
+/// Of one load; infinite where unholdable.
+double Oracle::effort(const ScaledLoad& load, const Wrench<3>& w, const Twist<3>& start,
+                      const Aim& aim, dual::Point<3>& point) {
+  const auto effort_here = [&] { return load.unit * dual::squared_norm(point); };
+  if (aim.digits == Digits::all)
+    return dual::maximise<3>(load.problem, w, start, load.cap, point) ? effort_here() : infinity;
+  if (!dual::approach(load.problem, w, start, load.cap, point)) return infinity;
+  const double quick = effort_here();
+  if (aim.digits == Digits::rough || !(quick < aim.improvement)) return quick;
+  if (contradicted_ > most_contradictions) return infinity;
+  if (!(point.residual.cwiseAbs().maxCoeff() > 0.5 * dual::delta)) return quick;
+  const dual::Point<3> rough = point;
+  if (!dual::maximise<3>(load.problem, w, Twist<3>(point.y), load.cap, point)) {
+    ++contradicted_;
+    return infinity;
+  }
+  const double exact = effort_here();
+  // Rounding of a load may ask for a very long y, of no use for other loads.
+  if (dual::l1_norm(point.y) > 1e3 * dual::l1_norm(rough.y)) point = rough;
+  return exact;
+}
+
+/// Where nothing holds, y is a direction: farther along it may cut deeper, and so may less far
+/// where y is so long that its rounding counts.
+void Oracle::deepen(const ScaledLoad& load, const Wrench<3>& w, double t,
+                    dual::Point<3>& point) const {
+  const double half = t / (2 * load.unit);
+  const auto depth = [&] {
+    return (point.y.dot(w) - phi_rounded_up(point, false) - half) / point.y.cwiseAbs().sum();
+  };
+  const Twist<3> found = point.y;
+  Twist<3> deepest_y = found;
+  double deepest = depth();
+  for (double times = 1e3; times > 1e-13; times *= 1e-3) {
+    dual::evaluate<3, double>(load.problem, w, Twist<3>(times * found), point);
+    if (const double here = depth(); here > deepest) {
+      deepest_y = point.y;
+      deepest = here;
+    }
+  }
+  dual::evaluate<3, double>(load.problem, w, deepest_y, point);
+}
+
+HalfSpace Oracle::half_space(const dual::Point<3>& point, std::size_t load, const Vector<3>& x,
+                             HalfSpace::Origin origin) const {
+  const Vector<3> v = loads_[load].velocity(point.y);
+  const double speed = v.norm();
+  const double phi = phi_rounded_up(point, is_gauge) - point.y.dot(loads_[load].fixed);
+  return {origin, v / speed, x, load, point.y, speed, phi};
+}
+
+/// Where the root of the effort is a gauge y may be as long as is best for a cut; not so long that
+/// rounding would count, also where y is told about an origin far from the center.
+double Oracle::stretch(const HalfSpace& half_space, double half) const {
+  if (!is_gauge) return 1;
+  const ScaledHand<3>& hand = loads_[half_space.load].problem.hand;
+  const double arm = 1 + hand.center.norm() * hand.per_length;
+  return std::sqrt(half) *
+         std::min(1 / std::sqrt(half_space.phi), longest_y / (arm * half_space.y.norm()));
+}
+
+double Oracle::offset(const HalfSpace& half_space, double t) const {
+  if (half_space.origin == HalfSpace::Origin::domain) return 0;
+  if (!(half_space.speed > 1e-300)) return infinity;  // no direction
+  const double half = t / (2 * loads_[half_space.load].unit);
+  const double times = stretch(half_space, half);
+  const double rounding = (dual::delta + 1e-15) * dual::dual_norm<3, double>(half_space.y);
+  return (half / times + times * half_space.phi + rounding) / half_space.speed;
+}
+
+HalfSpace Oracle::adopted(const HalfSpace& known) const {
+  if (known.origin == HalfSpace::Origin::domain) return known;
+  const dual::Problem<3>& problem = loads_[known.load].problem;
+  dual::Point<3> point(problem.size);
+  dual::evaluate<3, double>(problem, Wrench<3>::Zero(), known.y, point);
+  return half_space(point, known.load, known.x, known.origin);
+}
+
+/// Between the y of its three planes, for while no contact changes its face y is linear; else that
+/// of the nearest.
+std::optional<HalfSpace> Oracle::start_at(const Vector<3>& x, const Corner& corner) const {
+  const HalfSpace* nearest = nearest_held(x, corner);
+  if (nearest == nullptr) return {};
+  HalfSpace start = *nearest;
+  Eigen::Matrix3d at;
+  for (int k = 0; k < 3; ++k) {
+    const HalfSpace* each = corner[static_cast<std::size_t>(k)];
+    if (each == nullptr || each->origin != HalfSpace::Origin::held || each->load != start.load)
+      return start;
+    at.col(k) = each->x;
+  }
+  const Vector<3> part = at.inverse() * x.normalized();
+  if (!(part.minCoeff() > -0.5) || !(part.maxCoeff() < 2)) return start;
+  start.y.setZero();
+  for (int k = 0; k < 3; ++k) start.y += part[k] * corner[static_cast<std::size_t>(k)]->y;
+  return start;
+}
+
+Cut Oracle::cut_by(std::size_t load, const Twist<3>& y) const {
+  const dual::Problem<3>& problem = loads_[load].problem;
+  return {about_origin(problem.hand, problem.weight, y), load, {}};
+}
+
+Cut Oracle::cut(const HalfSpace& half_space, double t) const {
+  if (half_space.origin == HalfSpace::Origin::domain) return {.n = half_space.normal};
+  const double half = t / (2 * loads_[half_space.load].unit);
+  return cut_by(half_space.load, stretch(half_space, half) * half_space.y);
+}
+
+Cut Oracle::side_of_cube(int side, double t) const {
+  Twist<3> y = Twist<3>::Zero();
+  y[side / 2] = (side % 2 == 0 ? 1 : -1) * std::sqrt(t / shares_);
+  return cut_by(heaviest_, y);
+}
+
+}  // namespace poise::search

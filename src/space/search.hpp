@@ -1,0 +1,36 @@
+// The two searches for the posture of least effort: docs/theory.md, "The farthest point of a convex
+// body". And what they prove. Not installed.
+#pragma once
+
+#include "space/search_state.hpp"
+
+namespace poise::search {
+
+/// Where the root of the value is a gauge: the posture is the direction of the point of the
+/// sublevel set {x : value(x) <= 1} farthest from the origin. Cuts off the farthest vertex of the
+/// polytope again and again.
+void farthest_point(SearchState& state, int max_holds);
+
+/// For any value: whether the sublevel set of the target, a convex set, meets the unit sphere. Cuts
+/// it out from outside, and where longer x need less from inside of the sphere, too; the target
+/// falls with the best value.
+void level_set(SearchState& state, int max_holds);
+
+/// Whichever is right, after postures that are worth a visit in any case.
+void minimise(SearchState& state, int max_holds);
+
+/// What the half-spaces prove of the values in the domain. Sets the target to what was proven.
+double lower_bound(SearchState& state);
+
+/// The half-spaces that are needed for a bound t, as cuts.
+std::vector<Cut> certificate(const SearchState& state, double t);
+
+/// Calls `step` while it returns true, holds are left to spend, and better values may exist.
+template <class Step>
+void repeat(const SearchState& state, int max_holds, const Step& step) {
+  constexpr long steps_per_hold = 20;  // some ask for no hold
+  for (long k = 0; k < steps_per_hold * max_holds && state.oracle.holds < max_holds; ++k)
+    if ((1 - state.gap) * state.best_value <= state.oracle.least || !step()) return;
+}
+
+}  // namespace poise::search
