@@ -6,7 +6,7 @@ install(TARGETS poise_mesh poise_data LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR
   COMPONENT program)
 set_target_properties(program PROPERTIES
   INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}/poise")
-install(FILES packaging/completion.bash RENAME poise
+install(FILES ${PROJECT_BINARY_DIR}/completion.bash RENAME poise
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
   PATTERN "CMakeLists.txt" EXCLUDE)

@@ -104,20 +104,9 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
   } usages[] = {
       {"", "A subcommand is required"},
       {"hodl 4c.yaml",
-       "unknown command 'hodl', must be check, contacts, hold, best, curve, capacity, draw, "
-       "verify, batch, view, import or paper"},
+       "unknown command 'hodl', must be check, hold, best, curve, capacity, draw, verify, "
+       "contacts, batch, view or import"},
       {"best", "FILE is required"},
-      {"paper", "--out is required"},
-      {"paper --out ''", "--out: '' is not a directory"},
-      {"paper 4c.yaml --out x", "unexpected '4c.yaml', poise paper takes no FILE"},
-      {"paper --out x --phi 0", "--phi: '0' must be a number above 0 and at most 90"},
-      {"paper --out x --phi 90.1", "--phi: '90.1' must be a number above 0 and at most 90"},
-      {"paper --out x --phi pi", "--phi: 'pi' must be a number"},
-      {"paper --out x --mu1 -0.1", "--mu1: '-0.1' must be a number at least 0"},
-      {"paper --out x --mu2 nan", "--mu2: 'nan' must be a number at least 0"},
-      {"paper --out x --weight 0", "--weight: '0' must be a number above 0"},
-      {"paper --out 4c.yaml", "4c.yaml: cannot be made a directory: Not a directory"},
-      {"paper --out 4c.yaml/x", "4c.yaml/x: cannot be made a directory: Not a directory"},
       {"best 4c.yaml 4c.yaml", "unexpected '4c.yaml', poise best takes one FILE"},
       {"best 4c.yaml hold", "unexpected 'hold'"},
       {"hold 4c.yaml --up 0 1", "unexpected '1': numbers of one flag are written with commas"},

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "command_line.hpp"
-#include "poise/object.hpp"
+#include "poise/load.hpp"
 
 namespace poise {
 namespace {

@@ -1,18 +1,36 @@
-// What each command answers.
+// The commands of the program. Each is a file of commands/, which says what it takes and does it.
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <variant>
+#include <vector>
 
-#include "arguments.hpp"
+#include "flags.hpp"
 
 namespace poise {
 
-struct Answer {
+/// What a command has to say.
+struct Reply {
   std::string text;  ///< for standard output
-  bool holds{true};  ///< whether the object can be held (somewhere), or the result is confirmed
+  bool yes{true};    ///< it can be held (somewhere), or is confirmed
+};
+using Run = std::function<Reply()>;
+
+struct Subcommand {
+  const char* name;
+  const char* help;
+  /// Declares arguments and flags; what is returned may run once they are read.
+  Run (*declare)(Flags& flags);
 };
 
-/// @throws FileError for a bad grasp file, OutputError for a picture that cannot be drawn
-Answer answer(const Arguments& arguments);
+extern const Subcommand check_command, hold_command, best_command, curve_command, capacity_command,
+    draw_command, verify_command, contacts_command, batch_command, view_command, import_command;
+
+/// What a command line asks for, or a text instead (help, version, completion).
+/// @throws UsageError
+std::variant<Run, std::string> read_command_line(int argc, const char* const* argv);
 
 }  // namespace poise

@@ -7,7 +7,7 @@
 
 #include "commands.hpp"
 #include "files/file_error.hpp"
-#include "plot.hpp"
+#include "pictures/plot.hpp"
 
 namespace {
 
@@ -29,12 +29,12 @@ bool print(const std::string& text) {
 }
 
 int run(int argc, char** argv) {
-  const auto asked = poise::read_arguments(argc, argv);
+  const auto asked = poise::read_command_line(argc, argv);
   if (const auto* text = std::get_if<std::string>(&asked))
     return print(*text) ? can_be_held : bad_input;
-  const poise::Answer answer = poise::answer(std::get<poise::Arguments>(asked));
-  if (!print(answer.text)) return bad_input;
-  return answer.holds ? can_be_held : cannot_be_held;
+  const poise::Reply reply = std::get<poise::Run>(asked)();
+  if (!print(reply.text)) return bad_input;
+  return reply.yes ? can_be_held : cannot_be_held;
 }
 
 }  // namespace

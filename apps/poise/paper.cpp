@@ -9,14 +9,14 @@
 #include <system_error>
 #include <vector>
 
+#include "apps/paper/counts.hpp"
+#include "apps/paper/exact.hpp"
+#include "apps/paper/sampling.hpp"
 #include "files/json_text.hpp"
 #include "files/result.hpp"
 #include "paper_figures.hpp"
 #include "plot.hpp"
 #include "poise/best_posture.hpp"
-#include "apps/paper/counts.hpp"
-#include "apps/paper/exact.hpp"
-#include "apps/paper/sampling.hpp"
 
 namespace poise {
 namespace {

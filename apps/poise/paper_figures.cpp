@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include "files/result.hpp"
-#include "scene.hpp"
 #include "apps/paper/exact.hpp"
 #include "apps/paper/sampling.hpp"
+#include "files/result.hpp"
+#include "scene.hpp"
 #include "table.hpp"
 
 namespace poise {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "files/grasp_file.hpp"
-#include "table.hpp"
+#include "tables/table.hpp"
 
 namespace poise {
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ask/question.hpp"
 #include "batch/record.hpp"
 #include "module.hpp"
 #include "values.hpp"
@@ -15,7 +16,7 @@ Question question(bool hold, std::optional<double> angle_deg, const std::vector<
   if (std::any_of(up.begin(), up.end(), [](double x) { return !std::isfinite(x); }) ||
       (!up.empty() && std::all_of(up.begin(), up.end(), [](double x) { return x == 0; })))
     throw InvalidGrasp("up", "must be a direction");
-  return {.hold = hold,
+  return {.command = hold ? Command::hold : Command::best,
           .angle_deg = angle_deg,
           .up = up,
           .domain = domain,

@@ -1,19 +1,18 @@
 #include "curve_settings.hpp"
+#include "files/degrees.hpp"
 #include "module.hpp"
 #include "parallel.hpp"
 #include "poise/best_posture.hpp"
-#include "poise/best_spatial_posture.hpp"
+#include "poise/turn.hpp"
 #include "values.hpp"
 
 namespace poise::python {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
-
 using GraspPointer = std::shared_ptr<AnyGrasp>;
 /// A grasp, or the scenarios of one in space.
-using Held = std::variant<GraspPointer, std::vector<GraspPointer>>;
-using Best = std::variant<BestPosture, BestSpatialPosture>;
+using GraspOrScenarios = std::variant<GraspPointer, std::vector<GraspPointer>>;
+using AnyBest = Either<Best>;
 
 const SpatialSettings spatial;  // the defaults
 
@@ -36,38 +35,61 @@ Settings settings(Domain domain, double force_cap, double gap, int max_holds,
   return result;
 }
 
-Best best_of(const Held& held, const Settings& settings) {
-  if (const auto* const one = std::get_if<GraspPointer>(&held)) {
-    if (const auto* const planar = std::get_if<Grasp<2>>(&(*one)->of)) {
-      if (settings.space.tilt)
-        throw InvalidGrasp("tilt", "is for space, the grasp is in the plane");
-      return best_posture(*planar, settings.curve);
-    }
+/// The same contacts with the loads of all scenarios.
+Grasp<3> together(const std::vector<GraspPointer>& scenarios) {
+  if (scenarios.empty()) throw InvalidGrasp("scenarios", "is empty, must hold at least one");
+  const std::vector<Contact<3>>& contacts = only<3>(*scenarios.front()).contacts();
+  std::vector<Load<3>> loads;
+  for (const GraspPointer& scenario : scenarios) {
+    const Grasp<3>& grasp = only<3>(*scenario);
+    if (grasp.contacts() != contacts)
+      throw InvalidGrasp("scenarios", "must all have the same contacts");
+    loads.insert(loads.end(), grasp.loads().begin(), grasp.loads().end());
   }
+  return {loads, given_contacts(only<3>(*scenarios.front()))};
+}
+
+AnyBest best_in_space(const Grasp<3>& grasp, const Settings& settings) {
   if (settings.curve.domain != Domain::all)
     throw InvalidGrasp("domain", "must be all in space, where best_pinched is found anyway");
-  if (const auto* const one = std::get_if<GraspPointer>(&held))
-    return best_posture(only<3>(**one), settings.space);
-  std::vector<Grasp<3>> scenarios;
-  for (const GraspPointer& grasp : std::get<std::vector<GraspPointer>>(held))
-    scenarios.push_back(only<3>(*grasp));
-  return best_posture(scenarios, settings.space);
+  return {best_posture(grasp, settings.space)};
 }
 
-Best best_asked(const Held& held, Domain domain, double force_cap, double gap, int max_holds,
-                const py::object& tilt, int starts) {
-  const Settings all = settings(domain, force_cap, gap, max_holds, tilt, starts);
-  const py::gil_scoped_release unlocked;
-  return best_of(held, all);
+AnyBest best_of(const GraspOrScenarios& held, const Settings& settings) {
+  if (const auto* const scenarios = std::get_if<std::vector<GraspPointer>>(&held))
+    return best_in_space(together(*scenarios), settings);
+  const AnyGrasp& one = *std::get<GraspPointer>(held);
+  const auto* const planar = std::get_if<Grasp<2>>(&one.of);
+  if (!planar) return best_in_space(only<3>(one), settings);
+  if (settings.space.tilt) throw InvalidGrasp("tilt", "is for space, the grasp is in the plane");
+  return {best_posture(*planar, settings.curve)};
 }
 
-std::vector<Best> best_many(const std::vector<Held>& many, Domain domain, double force_cap,
-                            double gap, int max_holds, const py::object& tilt, int starts) {
+/// As a class of its own in each dimension.
+py::object write(const AnyBest& best) {
+  return std::visit([](const auto& own) { return py::cast(own); }, best.of);
+}
+
+py::object best_asked(const GraspOrScenarios& held, Domain domain, double force_cap, double gap,
+                      int max_holds, const py::object& tilt, int starts) {
   const Settings all = settings(domain, force_cap, gap, max_holds, tilt, starts);
-  const py::gil_scoped_release unlocked;
-  std::vector<Best> best(many.size());
-  parallel(many.size(), 1, [&](std::size_t k) { best[k] = best_of(many[k], all); });
-  return best;
+  return write([&] {
+    const py::gil_scoped_release unlocked;
+    return best_of(held, all);
+  }());
+}
+
+py::list best_many(const std::vector<GraspOrScenarios>& many, Domain domain, double force_cap,
+                   double gap, int max_holds, const py::object& tilt, int starts) {
+  const Settings all = settings(domain, force_cap, gap, max_holds, tilt, starts);
+  std::vector<AnyBest> best(many.size());
+  {
+    const py::gil_scoped_release unlocked;
+    parallel(many.size(), 1, [&](std::size_t k) { best[k] = best_of(many[k], all); });
+  }
+  py::list list;
+  for (const AnyBest& each : best) list.append(write(each));
+  return list;
 }
 
 Eigen::Vector4d turn(const Eigen::VectorXd& orientation, const Eigen::VectorXd& up) {
@@ -81,64 +103,76 @@ Eigen::Vector4d turn(const Eigen::VectorXd& orientation, const Eigen::VectorXd& 
 }
 
 void add_planar(py::module_& module) {
-  py::class_<PlanarPosture>(module, "PlanarPosture",
-                            "A posture worth knowing: an optimum of the curve with its hold.")
-      .def_readonly("optimum", &PlanarPosture::optimum)
+  py::class_<Minimum<2>>(module, "PlanarPosture",
+                         "A posture worth knowing: an optimum of the curve with its hold.")
+      .def_readonly("optimum", &Minimum<2>::optimum)
       .def_property_readonly("hold",
-                             [](const PlanarPosture& posture) { return AnyHold{posture.hold}; })
-      .def_readonly("manner", &PlanarPosture::manner)
-      .def_readonly("edges_meet", &PlanarPosture::edges_meet,
+                             [](const Minimum<2>& posture) { return AnyHold{posture.hold()}; })
+      .def_readonly("manner", &Minimum<2>::manner)
+      .def_readonly("edges_meet", &Minimum<2>::edges_meet,
                     "At a kink with exactly two loaded contacts, both slipping: where the edges of "
                     "their friction\ncones meet (2,) [m, object frame], on the vertical through "
                     "the centre of mass. None if parallel.")
-      .def_readonly("two_slipping", &PlanarPosture::two_slipping,
-                    "Whether edges_meet was asked for.")
-      .def("__repr__", [](const PlanarPosture& posture) {
+      .def_readonly("two_slipping", &Minimum<2>::two_slipping, "Whether edges_meet was asked for.")
+      .def("__repr__", [](const Minimum<2>& posture) {
         return py::str("PlanarPosture({:.2f} deg, effort={:.6g} N^2, {}, {})")
-            .format(posture.optimum.angle / degree, posture.optimum.effort,
+            .format(degrees(posture.optimum.angle), posture.optimum.effort,
                     to_string(posture.manner), to_string(posture.optimum.kind));
       });
 
-  py::class_<BestPosture>(module, "BestPosture",
-                          "The best posture of a planar grasp, the other minima, and their proof.")
-      .def_readonly("curve", &BestPosture::curve, "With the proof: its arcs and unholdable arcs.")
-      .def_readonly("minima", &BestPosture::minima,
-                    "In the order of the curve; the first is the best.")
-      .def_readonly("worst", &BestPosture::worst,
-                    "The posture of the domain that needs most, or None.")
-      .def_readonly("pinched", &BestPosture::pinched,
-                    "Index into minima of the lowest interior minimum that is pinched, or None.")
-      .def_readonly("lower_bound", &BestPosture::lower_bound,
-                    "On the effort in the whole domain, by the arcs' y [N^2].")
-      .def_property_readonly("optimal", &BestPosture::optimal,
-                             "Whether no posture of the domain needs less than the best, as "
-                             "lower_bound proves, or,\nwhere there is none, none holds: False only "
-                             "where rounding hid what is there.")
-      .def_property_readonly("holdable", &BestPosture::holdable)
+  py::class_<Best<2>>(module, "BestPosture",
+                      "The best posture of a planar grasp, the other minima, and their proof.")
       .def_property_readonly(
-          "best", [](const BestPosture& best) { return best.holdable() ? &best.best() : nullptr; },
+          "curve", [](const Best<2>& best) { return &best.proof.curve; },
+          py::return_value_policy::reference_internal,
+          "With the proof: its arcs and unholdable arcs.")
+      .def_readonly("minima", &Best<2>::minima, "In the order of the curve; the first is the best.")
+      .def_property_readonly(
+          "worst", [](const Best<2>& best) { return best.proof.worst; },
+          "The posture of the domain that needs most, or None.")
+      .def_readonly("pinched", &Best<2>::pinched,
+                    "Index into minima of the lowest interior minimum that is pinched, or None.")
+      .def_readonly("lower_bound", &Best<2>::lower_bound,
+                    "On the effort in the whole domain, by the arcs' y [N^2].")
+      .def_property_readonly(
+          "optimal", [](const Best<2>& best) { return best.status != Status::gap; },
+          "Whether no posture of the domain needs less than the best, as "
+          "lower_bound proves, or,\nwhere there is none, none holds: False only "
+          "where rounding hid what is there.")
+      .def_property_readonly("holdable", &Best<2>::holdable)
+      .def_property_readonly(
+          "best", [](const Best<2>& best) { return best.holdable() ? &best.best() : nullptr; },
           py::return_value_policy::reference_internal, "The best posture; None where unholdable.")
-      .def_property_readonly("best_pinched", &BestPosture::best_pinched,
+      .def_property_readonly("best_pinched", &Best<2>::best_pinched,
                              py::return_value_policy::reference_internal,
                              "The lowest interior minimum that is pinched, or None.")
-      .def("__repr__", [](const BestPosture& best) {
+      .def("__repr__", [](const Best<2>& best) {
         if (!best.holdable()) return py::str("BestPosture(unholdable)");
         return py::str("BestPosture(minima={})").format(best.minima);
       });
 }
 
 void add_spatial(py::module_& module) {
-  py::class_<SpatialPosture>(module, "SpatialPosture", "A posture in space, with its hold.")
-      .def_readonly("up", &SpatialPosture::up, "(3,), unit vector, object frame.")
+  py::class_<Minimum<3>>(module, "SpatialPosture", "A posture in space, with its hold.")
+      .def_readonly("up", &Minimum<3>::up, "(3,), unit vector, object frame.")
       .def_property_readonly(
-          "hold", [](const SpatialPosture& posture) { return AnyHold{posture.hold}; },
+          "hold", [](const Minimum<3>& posture) { return AnyHold{posture.hold()}; },
           "Of the scenario that decides.")
-      .def_readonly("manner", &SpatialPosture::manner)
-      .def_readonly("scenario", &SpatialPosture::scenario,
+      .def_readonly("manner", &Minimum<3>::manner)
+      .def_readonly("scenario", &Minimum<3>::decides,
                     "The one that needs the greatest effort: an index.")
-      .def_readonly("scenario_efforts", &SpatialPosture::scenario_efforts, "[N^2]")
-      .def_property_readonly("effort", &SpatialPosture::effort, "V of the hold [N^2].")
-      .def("__repr__", [](const SpatialPosture& posture) {
+      .def_property_readonly(
+          "scenario_efforts",
+          [](const Minimum<3>& posture) {
+            std::vector<double> efforts;
+            for (const Hold<3>& hold : posture.holds)
+              efforts.push_back(hold.holdable ? hold.effort
+                                              : std::numeric_limits<double>::infinity());
+            return efforts;
+          },
+          "[N^2]")
+      .def_property_readonly("effort", &Minimum<3>::effort, "V of the hold [N^2].")
+      .def("__repr__", [](const Minimum<3>& posture) {
         return py::str("SpatialPosture(up={}, effort={:.6g} N^2, {})")
             .format(shown(posture.up), posture.effort(), to_string(posture.manner));
       });
@@ -149,42 +183,48 @@ void add_spatial(py::module_& module) {
                     "A twist about the object frame's origin (6,) [N, N/m]: for every x in R^3, "
                     "weight x through\nthe com of the scenario needs an effort of at least\n"
                     "2 (y . w(x) - phi(G^T y)).")
-      .def_readonly("scenario", &Cut::scenario)
+      .def_readonly("scenario", &Cut::load)
       .def_readonly("n", &Cut::n,
                     "(3,): n . x <= 0 in the whole domain; then y and scenario say nothing. Or "
                     "None.")
       .def("__repr__", [](const Cut& cut) {
         return cut.n ? py::str("Cut(n={})").format(shown(*cut.n))
-                     : py::str("Cut(y={}, scenario {})").format(shown(cut.y), cut.scenario);
+                     : py::str("Cut(y={}, scenario {})").format(shown(cut.y), cut.load);
       });
 
-  py::class_<BestSpatialPosture>(
+  py::class_<Best<3>>(
       module, "BestSpatialPosture",
       "The best posture of a spatial grasp, the other minima that were found, and its certificate.")
-      .def_readonly("status", &BestSpatialPosture::status)
-      .def_readonly("best", &BestSpatialPosture::best,
-                    "The best posture; None where nothing holdable was found.")
-      .def_readonly("minima", &BestSpatialPosture::minima,
+      .def_readonly("status", &Best<3>::status)
+      .def_property_readonly(
+          "best", [](const Best<3>& best) { return best.holdable() ? &best.best() : nullptr; },
+          py::return_value_policy::reference_internal,
+          "The best posture; None where nothing holdable was found.")
+      .def_readonly("minima", &Best<3>::minima,
                     "Local minima over the domain, best first, found by descent from many starts: "
                     "not proven\ncomplete.")
-      .def_readonly("pinched", &BestSpatialPosture::pinched, "Index into minima, or None.")
-      .def_property_readonly("best_pinched", &BestSpatialPosture::best_pinched,
+      .def_readonly("pinched", &Best<3>::pinched, "Index into minima, or None.")
+      .def_property_readonly("best_pinched", &Best<3>::best_pinched,
                              py::return_value_policy::reference_internal,
                              "The lowest of the minima that is pinched and inside the domain and "
                              "the holdable set, or None.")
-      .def_readonly("lower_bound", &BestSpatialPosture::lower_bound,
+      .def_readonly("lower_bound", &Best<3>::lower_bound,
                     "On the effort in the whole domain [N^2]: no unit vector x satisfies all cuts "
                     "with\n2 (y . w(x) - phi(G^T y)) <= lower_bound, or it is no more than the "
                     "square of the greatest\nweight over the sum of shares. Where unholdable, "
                     "above the square of the force cap.")
-      .def_readonly("relative_gap", &BestSpatialPosture::relative_gap,
+      .def_readonly("relative_gap", &Best<3>::relative_gap,
                     "(effort - lower_bound) / effort; 0 where there is no best.")
-      .def_readonly("cuts", &BestSpatialPosture::cuts, "The certificate.")
-      .def_readonly("holds", &BestSpatialPosture::holds, "Spent on the certificate.")
-      .def("__repr__", [](const BestSpatialPosture& best) {
-        if (!best.best) return py::str("BestSpatialPosture({})").format(to_string(best.status));
+      .def_property_readonly(
+          "cuts", [](const Best<3>& best) { return best.proof.cuts; }, "The certificate.")
+      .def_property_readonly(
+          "holds", [](const Best<3>& best) { return best.proof.holds; },
+          "Spent on the certificate.")
+      .def("__repr__", [](const Best<3>& best) {
+        if (!best.holdable())
+          return py::str("BestSpatialPosture({})").format(to_string(best.status));
         return py::str("BestSpatialPosture({}, best={})")
-            .format(to_string(best.status), py::cast(*best.best));
+            .format(to_string(best.status), py::cast(best.best()));
       });
 }
 
@@ -213,7 +253,7 @@ void add_best(py::module_& module) {
   module.def(
       "posture_at",
       [](const AnyGrasp& grasp, const Optimum& optimum, Domain domain, double force_cap) {
-        return posture_at(only<2>(grasp), optimum, curve_settings(domain, force_cap));
+        return minimum_at(only<2>(grasp), optimum, curve_settings(domain, force_cap));
       },
       py::arg("grasp"), py::arg("optimum"), py::kw_only(), py::arg("domain") = Domain::all,
       py::arg("force_cap") = 1e6,
@@ -221,7 +261,8 @@ void add_best(py::module_& module) {
   module.def(
       "cradled",
       [](const AnyGrasp& grasp, const Eigen::VectorXd& up) {
-        return cradled(only<3>(grasp), unit<3>(up));
+        const Grasp<3>& spatial_grasp = only<3>(grasp);
+        return cradled(spatial_grasp, spatial_grasp.loads().front().com, unit<3>(up));
       },
       py::arg("grasp"), py::arg("up"),
       "Space: whether in the posture up (3,) the centre of mass lies in the fork of the fingers.\n"

@@ -1,5 +1,7 @@
 #include "poise/capacity.hpp"
 
+#include <cmath>
+
 #include "module.hpp"
 #include "values.hpp"
 
@@ -11,12 +13,17 @@ using AnyRange = Either<WeightRange>;
 using AnyFriction = Either<LeastFriction>;
 using AnyCapacity = Either<Capacity>;
 
-/// What `f(grasp, up, settings)` makes of a grasp of either dimension in the posture `up`.
+/// What `f(grasp, load, up, settings)` makes of a grasp of either dimension, against its load, in
+/// the posture `up`.
 template <class R, class F>
 R in_posture(const AnyGrasp& any, const Eigen::VectorXd& up, double force_cap, F f) {
   const HoldSettings settings{.force_cap = checked_cap(force_cap)};
   return std::visit(
-      [&]<int Dim>(const Grasp<Dim>& grasp) { return R{f(grasp, unit<Dim>(up), settings)}; },
+      [&]<int Dim>(const Grasp<Dim>& grasp) {
+        if (grasp.loads().size() != 1)
+          throw InvalidGrasp("grasp", "has several loads, ask of each");
+        return R{f(grasp, grasp.loads().front(), unit<Dim>(up), settings)};
+      },
       any.of);
 }
 
@@ -25,9 +32,9 @@ std::vector<Deciding> deciding_contacts(const AnyGrasp& any, const Eigen::Vector
   if (!dual.allFinite()) throw InvalidGrasp("dual", "must be finite");
   return in_posture<std::vector<Deciding>>(
       any, up, force_cap,
-      [&]<int Dim>(const Grasp<Dim>& grasp, const Vector<Dim>& unit_up,
+      [&]<int Dim>(const Grasp<Dim>& grasp, const Load<Dim>& load, const Vector<Dim>& unit_up,
                    const HoldSettings& settings) {
-        return deciding<Dim>(grasp, unit_up, sized<wrench_size<Dim>>(dual, "dual"), settings);
+        return deciding<Dim>(grasp, load, unit_up, sized<wrench_size<Dim>>(dual, "dual"), settings);
       });
 }
 
@@ -35,6 +42,12 @@ std::vector<Deciding> deciding_contacts(const AnyGrasp& any, const Eigen::Vector
 template <template <int> class Part, class E, class Get>
 auto part(Get get) {
   return each<E>([get](const auto& whole) { return Either<Part>{get(whole)}; });
+}
+
+/// The hold of a posture; an empty one where there is none.
+template <int Dim>
+AnyHold hold_of(const Posture<Dim>& posture) {
+  return {posture.holds.empty() ? Hold<Dim>() : posture.hold()};
 }
 
 constexpr const char* dual_text =
@@ -52,7 +65,8 @@ void add_types(py::module_& module) {
                              "Can be held, by hold [N].")
       .def_property_readonly("bound", each<AnyEnd>([](const auto& end) { return end.bound; }),
                              "No weight beyond this can be held, by dual [N].")
-      .def_property_readonly("hold", part<Hold, AnyEnd>([](const auto& end) { return end.hold; }))
+      .def_property_readonly("hold",
+                             each<AnyEnd>([](const auto& end) { return hold_of(end.posture); }))
       .def_property_readonly(
           "dual", each<AnyEnd>([](const auto& end) -> Eigen::VectorXd { return end.dual; }),
           dual_text)
@@ -102,8 +116,8 @@ void add_types(py::module_& module) {
       .def_property_readonly("bound",
                              each<AnyFriction>([](const auto& least) { return least.bound; }),
                              "With less it is not, by dual.")
-      .def_property_readonly("hold",
-                             part<Hold, AnyFriction>([](const auto& least) { return least.hold; }))
+      .def_property_readonly(
+          "hold", each<AnyFriction>([](const auto& least) { return hold_of(least.posture); }))
       .def_property_readonly(
           "dual",
           each<AnyFriction>([](const auto& least) -> Eigen::VectorXd { return least.dual; }),
@@ -118,7 +132,7 @@ void add_types(py::module_& module) {
       .def_property_readonly("friction", part<LeastFriction, AnyCapacity>(
                                              [](const auto& answer) { return answer.friction; }))
       .def_property_readonly(
-          "safe", part<Hold, AnyCapacity>([](const auto& answer) { return answer.safe; }),
+          "safe", each<AnyCapacity>([](const auto& answer) { return hold_of(answer.safe); }),
           "Hold of the grasp's weight, with all frictions and torsions divided by the safety.")
       .def("__repr__", each<AnyCapacity>([](const auto& answer) {
              return py::str("Capacity(weights={}, friction={})")
@@ -128,11 +142,40 @@ void add_types(py::module_& module) {
 }
 
 /// A grasp like another.
-template <class F>
-std::shared_ptr<AnyGrasp> like(const AnyGrasp& any, F change) {
+template <class Change>
+std::shared_ptr<AnyGrasp> like(const AnyGrasp& any, Change change) {
   return std::visit(
-      [&](const auto& grasp) { return std::make_shared<AnyGrasp>(AnyGrasp{change(grasp)}); },
+      [&]<int Dim>(const Grasp<Dim>& grasp) {
+        std::vector<Load<Dim>> loads = grasp.loads();
+        std::vector<Contact<Dim>> contacts = given_contacts(grasp);
+        change(loads, contacts);
+        return std::make_shared<AnyGrasp>(AnyGrasp{Grasp<Dim>(loads, contacts)});
+      },
       any.of);
+}
+
+std::shared_ptr<AnyGrasp> with_weight(const AnyGrasp& grasp, double weight) {
+  return like(grasp, [&](auto& loads, auto&) {
+    for (auto& load : loads) load.weight = weight;
+  });
+}
+
+std::shared_ptr<AnyGrasp> with_friction(const AnyGrasp& grasp, double factor) {
+  return like(grasp, [&](auto&, auto& contacts) {
+    for (auto& contact : contacts) {
+      contact.friction *= factor;
+      contact.torsion *= factor;
+    }
+  });
+}
+
+std::shared_ptr<AnyGrasp> without_limits(const AnyGrasp& grasp) {
+  return like(grasp, [](auto&, auto& contacts) {
+    for (auto& contact : contacts) {
+      contact.min_normal = 0;
+      if (std::isfinite(contact.max_normal)) contact.max_normal = 0;
+    }
+  });
 }
 
 }  // namespace
@@ -166,38 +209,24 @@ void add_capacity(py::module_& module) {
   module.def(
       "capacity",
       [](const AnyGrasp& any, const Eigen::VectorXd& up, double safety, double force_cap) {
-        return in_posture<AnyCapacity>(
-            any, up, force_cap,
-            [safety](const auto& grasp, const auto& unit_up, const HoldSettings& settings) {
-              return capacity(grasp, unit_up, safety, settings);
-            });
+        return in_posture<AnyCapacity>(any, up, force_cap,
+                                       [safety](const auto& grasp, const auto& load,
+                                                const auto& unit_up, const HoldSettings& settings) {
+                                         return capacity(grasp, load, unit_up, safety, settings);
+                                       });
       },
       py::arg("grasp"), py::arg("up"), py::arg("safety"), py::kw_only(), py::arg("force_cap") = 1e6,
       unlocked,
       "What the gripper can hold in the posture up (2,) or (3,). safety: at least 1, on top of "
       "the\n"
       "one that the grasp was made with.");
-  module.def(
-      "with_weight",
-      [](const AnyGrasp& any, double weight) {
-        return like(any, [weight](const auto& grasp) { return with_weight(grasp, weight); });
-      },
-      py::arg("grasp"), py::arg("weight"), "The same contacts on an object of another weight [N].");
-  module.def(
-      "with_friction",
-      [](const AnyGrasp& any, double factor) {
-        return like(any, [factor](const auto& grasp) { return with_friction(grasp, factor); });
-      },
-      py::arg("grasp"), py::arg("factor"),
-      "The same grasp with all frictions and torsions multiplied by a factor >= 0.");
-  module.def(
-      "without_limits",
-      [](const AnyGrasp& any) {
-        return like(any, [](const auto& grasp) { return without_limits(grasp); });
-      },
-      py::arg("grasp"),
-      "The contacts without max_normal alone, the others made to press with nothing, none with a\n"
-      "min_normal: what these can hold once they can hold at any size.");
+  module.def("with_weight", &with_weight, py::arg("grasp"), py::arg("weight"),
+             "The same contacts on an object of another weight [N].");
+  module.def("with_friction", &with_friction, py::arg("grasp"), py::arg("factor"),
+             "The same grasp with all frictions and torsions multiplied by a factor >= 0.");
+  module.def("without_limits", &without_limits, py::arg("grasp"),
+             "The contacts without max_normal alone, the others made to press with nothing, none "
+             "with a\nmin_normal: what these can hold once they can hold at any size.");
 }
 
 }  // namespace poise::python

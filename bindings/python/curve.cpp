@@ -149,7 +149,11 @@ void add_curve(py::module_& module) {
       "The postures to choose from: the whole circle, or the closed rest of the cradled "
       "wedge.");
   module.def(
-      "cradled_wedge", [](const AnyGrasp& grasp) { return cradled_wedge(only<2>(grasp)); },
+      "cradled_wedge",
+      [](const AnyGrasp& grasp) {
+        const Grasp<2>& planar = only<2>(grasp);
+        return cradled_wedge(planar, planar.loads().front().com);
+      },
       py::arg("grasp"),
       "The postures in which the centre of mass lies in the fork of the fingers: an open "
       "interval\nof less than 180 degrees; from_ == to where nothing is cradled.");

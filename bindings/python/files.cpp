@@ -30,17 +30,14 @@ py::object write(const CommonFile<Dim>& file, const py::object& object) {
 }
 
 py::object write(const PlanarFile& file) {
-  py::object result = write<2>(file, python::write(file.object));
+  py::object result = write<2>(file, python::write(file.loads));
   result.attr("angle") = file.angle;
   result.attr("domain") = file.domain;
   return result;
 }
 
 py::object write(const SpatialFile& file) {
-  py::list scenarios;
-  for (const Object<3>& object : file.scenarios) scenarios.append(python::write(object));
-  py::object result =
-      write<3>(file, scenarios.size() == 1 ? py::object(scenarios[0]) : py::object(scenarios));
+  py::object result = write<3>(file, python::write(file.loads));
   result.attr("up") = file.up;
   if (file.tilt) result.attr("tilt") = type("Tilt")(file.tilt->from, file.tilt->most);
   return result;
@@ -54,10 +51,10 @@ py::object write(const GraspFile& file) {
 
 void add_files(py::module_& module) {
   module.def(
-      "read_grasp_file", [](const std::string& file) { return write(read_grasp_file(file)); },
+      "_read_grasp_file", [](const std::string& file) { return write(read_grasp_file(file)); },
       py::arg("file"), "Reads a grasp file, YAML or JSON; \"-\" is standard input.");
   module.def(
-      "grasp_from_yaml",
+      "_grasp_from_yaml",
       [](const std::string& text, const std::string& file) {
         return write(grasp_from_yaml(text, file));
       },

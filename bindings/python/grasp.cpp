@@ -9,24 +9,13 @@ namespace {
 std::shared_ptr<AnyGrasp> make_grasp(const py::object& object, const py::iterable& contacts,
                                      double safety) {
   const py::list list(contacts);
-  const py::object place = list.empty() ? object.attr("com") : list[0].attr("position");
-  if (place.cast<Eigen::VectorXd>().size() == 3)
+  if (list.empty()) throw InvalidGrasp("contacts", "is empty, must hold at least one contact");
+  const bool space = list[0].attr("position").cast<Eigen::VectorXd>().size() == 3;
+  const auto make = [&]<int Dim>(std::integral_constant<int, Dim>) {
     return std::make_shared<AnyGrasp>(
-        AnyGrasp{Grasp<3>(read_object<3>(object), read_contacts<3>(list), safety)});
-  return std::make_shared<AnyGrasp>(
-      AnyGrasp{Grasp<2>(read_object<2>(object), read_contacts<2>(list), safety)});
-}
-
-/// Contacts that make the same grasp again, when their friction is not divided any more.
-template <int Dim>
-std::vector<Contact<Dim>> given_contacts(const Grasp<Dim>& grasp) {
-  std::vector<Contact<Dim>> contacts = grasp.contacts();
-  std::vector<int> contacts_of(grasp.fingers().size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) ++contacts_of[grasp.finger_of(i)];
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (contacts_of[grasp.finger_of(i)] == 1 && contacts[i].finger == std::to_string(i))
-      contacts[i].finger.clear();  // another one may have the same label
-  return contacts;
+        AnyGrasp{Grasp<Dim>(read_loads<Dim>(object), read_contacts<Dim>(list), safety)});
+  };
+  return space ? make(std::integral_constant<int, 3>()) : make(std::integral_constant<int, 2>());
 }
 
 std::size_t finger_of(const AnyGrasp& any, std::size_t contact) {
@@ -41,7 +30,8 @@ std::size_t finger_of(const AnyGrasp& any, std::size_t contact) {
 Eigen::VectorXd load(const AnyGrasp& any, const Eigen::VectorXd& up) {
   return std::visit(
       [&]<int Dim>(const Grasp<Dim>& grasp) -> Eigen::VectorXd {
-        return grasp.load(unit<Dim>(up));
+        if (grasp.loads().size() != 1) throw InvalidGrasp("grasp", "has several loads");
+        return grasp.loads().front().at(unit<Dim>(up));
       },
       any.of);
 }
@@ -52,7 +42,9 @@ void add_grasp(py::module_& module) {
   py::class_<AnyGrasp, std::shared_ptr<AnyGrasp>>(
       module, "Grasp",
       "An object and its contacts, checked and prepared. Immutable. In the plane or in space, as\n"
-      "the positions of the contacts have two or three numbers.\n\n"
+      "the positions of the contacts have two or three numbers. In space the object may be a "
+      "list:\n"
+      "what it may be, each of which must be held.\n\n"
       "safety: every friction and torsion is divided by it, >= 1\n"
       "Raises InvalidGrasp where a number is not finite or out of its range, a normal has no\n"
       "length, or there are no contacts.")
@@ -60,9 +52,9 @@ void add_grasp(py::module_& module) {
       .def_property_readonly("dimension",
                              each<AnyGrasp>([]<int Dim>(const Grasp<Dim>&) { return Dim; }),
                              "2: the plane, 3: space")
-      .def_property_readonly(
-          "object", each<AnyGrasp>([](const auto& grasp) { return write(grasp.object()); }),
-          "Object")
+      .def_property_readonly("object",
+                             each<AnyGrasp>([](const auto& grasp) { return write(grasp.loads()); }),
+                             "Object; a list of them where the grasp has several loads")
       .def_property_readonly(
           "contacts", each<AnyGrasp>([](const auto& grasp) { return write(grasp.contacts()); }),
           "The contacts with unit normals, friction and torsion already divided by the safety\n"
@@ -78,12 +70,12 @@ void add_grasp(py::module_& module) {
            "The wrench that the contacts must supply in the posture up (2,) or (3,): weight * up\n"
            "through the centre of mass, about the origin. (3,) or (6,): force [N], moment [N m]")
       .def(py::pickle(each<AnyGrasp>([](const auto& grasp) {
-                        return py::make_tuple(write(grasp.object()), write(given_contacts(grasp)));
+                        return py::make_tuple(write(grasp.loads()), write(given_contacts(grasp)));
                       }),
                       [](const py::tuple& state) { return make_grasp(state[0], state[1], 1); }))
       .def("__repr__", each<AnyGrasp>([](const auto& grasp) {
              return py::str("Grasp(weight={:g} N, {} contacts, fingers={})")
-                 .format(grasp.object().weight, grasp.contacts().size(), grasp.fingers());
+                 .format(grasp.weight(), grasp.contacts().size(), grasp.fingers());
            }));
 
   module.def(

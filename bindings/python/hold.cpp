@@ -100,7 +100,8 @@ AnyHold hold_load(const AnyGrasp& any, const Eigen::VectorXd& load, const Eigen:
   return std::visit(
       [&]<int Dim>(const Grasp<Dim>& grasp) {
         constexpr int size = wrench_size<Dim>;
-        return AnyHold{hold<Dim>(grasp, sized<size>(load, "load"), sized<size>(y, "y"), settings)};
+        return AnyHold{hold<Dim>(grasp, sized<size>(load, "load"), grasp.weight(),
+                                 sized<size>(y, "y"), settings)};
       },
       any.of);
 }
@@ -131,7 +132,7 @@ std::vector<AnyFinger> fingers(const AnyGrasp& any, const AnyHold& hold) {
 
 Manner manner_of(const AnyGrasp& any, const Eigen::VectorXd& up, const AnyHold& hold) {
   return each(any, hold, [&]<int Dim>(const Grasp<Dim>& grasp, const Hold<Dim>& own) {
-    return manner(grasp, unit<Dim>(up), own);
+    return manner(grasp, grasp.loads().front(), unit<Dim>(up), own);
   });
 }
 
@@ -291,8 +292,9 @@ void add_hold(py::module_& module) {
   module.def(
       "all_loaded",
       [](const AnyGrasp& any, const AnyHold& hold) {
-        return each(any, hold,
-                    [](const auto& grasp, const auto& own) { return all_loaded(grasp, own); });
+        return each(any, hold, [](const auto& grasp, const auto& own) {
+          return all_loaded(grasp, own, grasp.weight());
+        });
       },
       py::arg("grasp"), py::arg("hold"),
       "Whether every finger's normal force is above 1e-9 of the weight.");

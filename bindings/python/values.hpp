@@ -5,11 +5,11 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <array>
+#include <algorithm>
 #include <variant>
 
+#include "ask/claims.hpp"
 #include "poise/best_posture.hpp"
-#include "poise/best_spatial_posture.hpp"
 #include "shape/shape.hpp"
 
 namespace poise::python {
@@ -19,58 +19,50 @@ namespace py = pybind11;
 /// A class of poise/_types.py.
 inline py::object type(const char* name) { return py::module_::import("poise._types").attr(name); }
 
-/// The words of an enumeration, in the order of its values.
+/// The name of an enumeration in Python, where its values are the words that documents have.
 template <class E>
-struct Words;
+inline constexpr auto enum_name = nullptr;
 template <>
-struct Words<ContactState> {
-  static constexpr auto name = py::detail::const_name("ContactState");
-  static constexpr std::array list{"unloaded", "sticking", "slipping"};
-};
+inline constexpr auto enum_name<ContactState> = py::detail::const_name("ContactState");
 template <>
-struct Words<ForceLimit> {
-  static constexpr auto name = py::detail::const_name("ForceLimit");
-  static constexpr std::array list{"none", "min", "max"};
-};
+inline constexpr auto enum_name<ForceLimit> = py::detail::const_name("ForceLimit");
 template <>
-struct Words<Manner> {
-  static constexpr auto name = py::detail::const_name("Manner");
-  static constexpr std::array list{"resting", "cradled", "pinched"};
-};
+inline constexpr auto enum_name<Manner> = py::detail::const_name("Manner");
 template <>
-struct Words<Kind> {
-  static constexpr auto name = py::detail::const_name("Kind");
-  static constexpr std::array list{"boundary", "kink", "smooth"};
-};
+inline constexpr auto enum_name<Kind> = py::detail::const_name("Kind");
 template <>
-struct Words<Status> {
-  static constexpr auto name = py::detail::const_name("Status");
-  static constexpr std::array list{"optimal", "gap", "unholdable"};
-};
+inline constexpr auto enum_name<Status> = py::detail::const_name("Status");
 template <>
-struct Words<Domain> {
-  static constexpr auto name = py::detail::const_name("Domain");
-  static constexpr std::array list{"all", "pinched"};
-};
+inline constexpr auto enum_name<Domain> = py::detail::const_name("Domain");
+
+}  // namespace poise::python
+
+namespace pybind11::detail {
 
 /// An enumeration of C++ as one of Python.
 template <class E>
-struct EnumCaster {
-  PYBIND11_TYPE_CASTER(E, Words<E>::name);
+requires(!std::is_same_v<decltype(poise::python::enum_name<E>),
+                         const std::nullptr_t>) struct type_caster<E> {
+  PYBIND11_TYPE_CASTER(E, poise::python::enum_name<E>);
 
-  bool load(py::handle source, bool) {
-    const py::object python = type(Words<E>::name.text);
-    if (!py::isinstance(source, python)) return false;
+  bool load(handle source, bool) {
+    const object python = poise::python::type(poise::python::enum_name<E>.text);
+    if (!isinstance(source, python)) return false;
+    const auto words = poise::words_of(E{});
     const auto word = source.attr("name").cast<std::string>();
-    for (std::size_t k = 0; k < Words<E>::list.size(); ++k)
-      if (word == Words<E>::list[k]) value = static_cast<E>(k);
+    value = static_cast<E>(std::find(words.begin(), words.end(), word) - words.begin());
     return true;
   }
-  static py::handle cast(E source, py::return_value_policy, py::handle) {
-    const auto* const word = Words<E>::list[static_cast<std::size_t>(source)];
-    return py::object(type(Words<E>::name.text).attr(word)).release();
+  static handle cast(E source, return_value_policy, handle) {
+    const std::string word(poise::words_of(source)[static_cast<std::size_t>(source)]);
+    return object(poise::python::type(poise::python::enum_name<E>.text).attr(word.c_str()))
+        .release();
   }
 };
+
+}  // namespace pybind11::detail
+
+namespace poise::python {
 
 /// What the plane and space have under one name in Python.
 template <template <int> class T>
@@ -138,26 +130,47 @@ inline double checked_cap(double force_cap) {
   return force_cap;
 }
 
+/// An Object, or several: one load for each.
 template <int Dim>
-Object<Dim> read_object(py::handle source) {
-  return {.weight = source.attr("weight").cast<double>(),
-          .com = read_vector<Dim>(source, "com", "object.")};
+std::vector<Load<Dim>> read_loads(const py::object& source) {
+  std::vector<Load<Dim>> loads;
+  const auto add = [&](const py::handle object) {
+    loads.push_back({.weight = object.attr("weight").cast<double>(),
+                     .com = read_vector<Dim>(object, "com", "object.")});
+  };
+  if (py::hasattr(source, "weight"))
+    add(source);
+  else
+    for (const py::handle object : source) add(object);
+  return loads;
 }
 
 template <int Dim>
 std::vector<Contact<Dim>> read_contacts(const py::iterable& source) {
   std::vector<Contact<Dim>> contacts;
-  for (const py::handle contact : source) {
+  for (const py::handle python : source) {
     const std::string path = "contacts[" + std::to_string(contacts.size()) + "].";
-    contacts.push_back({.position = read_vector<Dim>(contact, "position", path),
-                        .normal = read_vector<Dim>(contact, "normal", path),
-                        .friction = contact.attr("friction").cast<double>(),
-                        .min_normal = contact.attr("min_normal").cast<double>(),
-                        .max_normal = contact.attr("max_normal").cast<double>(),
-                        .share = contact.attr("share").cast<double>(),
-                        .finger = contact.attr("finger").cast<std::string>(),
-                        .torsion = contact.attr("torsion").cast<double>()});
+    Contact<Dim>& contact = contacts.emplace_back();
+    contact.torsion = python.attr("torsion").cast<double>();  // in the plane, too: to be refused
+    for_each_contact_field<Dim>([&]<class T>(const char* name, T Contact<Dim>::*field) {
+      if constexpr (std::is_same_v<T, Vector<Dim>>)
+        contact.*field = read_vector<Dim>(python, name, path);
+      else
+        contact.*field = python.attr(name).cast<T>();
+    });
   }
+  return contacts;
+}
+
+/// Contacts that make the same grasp again, when their friction is not divided any more.
+template <int Dim>
+std::vector<Contact<Dim>> given_contacts(const Grasp<Dim>& grasp) {
+  std::vector<Contact<Dim>> contacts = grasp.contacts();
+  std::vector<int> contacts_of(grasp.fingers().size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) ++contacts_of[grasp.finger_of(i)];
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (contacts_of[grasp.finger_of(i)] == 1 && contacts[i].finger == std::to_string(i))
+      contacts[i].finger.clear();  // another one may have the same label
   return contacts;
 }
 
@@ -169,34 +182,25 @@ std::string shown(const Numbers& numbers) {
   return "[" + py::str(", ").attr("join")(list).template cast<std::string>() + "]";
 }
 
+/// An Object, or a list of them.
 template <int Dim>
-py::object write(const Object<Dim>& object) {
-  return type("Object")(object.weight, object.com);
+py::object write(const std::vector<Load<Dim>>& loads) {
+  py::list list;
+  for (const Load<Dim>& load : loads) list.append(type("Object")(load.weight, load.com));
+  return loads.size() == 1 ? py::object(list[0]) : py::object(list);
 }
 
 template <int Dim>
 py::list write(const std::vector<Contact<Dim>>& contacts) {
   const py::object python = type("Contact");
   py::list list;
-  for (const Contact<Dim>& contact : contacts)
-    list.append(python(contact.position, contact.normal, contact.friction, contact.min_normal,
-                       contact.max_normal, contact.share, contact.finger, contact.torsion));
+  for (const Contact<Dim>& contact : contacts) {
+    py::dict fields;
+    for_each_contact_field<Dim>(
+        [&](const char* name, auto field) { fields[name] = contact.*field; });
+    list.append(python(**fields));
+  }
   return list;
 }
 
 }  // namespace poise::python
-
-namespace pybind11::detail {
-template <>
-struct type_caster<poise::ContactState> : poise::python::EnumCaster<poise::ContactState> {};
-template <>
-struct type_caster<poise::ForceLimit> : poise::python::EnumCaster<poise::ForceLimit> {};
-template <>
-struct type_caster<poise::Manner> : poise::python::EnumCaster<poise::Manner> {};
-template <>
-struct type_caster<poise::Kind> : poise::python::EnumCaster<poise::Kind> {};
-template <>
-struct type_caster<poise::Status> : poise::python::EnumCaster<poise::Status> {};
-template <>
-struct type_caster<poise::Domain> : poise::python::EnumCaster<poise::Domain> {};
-}  // namespace pybind11::detail

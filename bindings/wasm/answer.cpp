@@ -3,15 +3,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "dual/dual.hpp"
+#include "ask/ask.hpp"
+#include "ask/document.hpp"
 #include "files/field.hpp"
 #include "files/grasp_document.hpp"
 #include "files/grasp_writer.hpp"
 #include "files/json_text.hpp"
-#include "files/result.hpp"
-#include "files/spatial.hpp"
-#include "poise/capacity.hpp"
-#include "dual/twist.hpp"
 
 namespace poise {
 namespace {
@@ -33,59 +30,37 @@ double read_cap(const Field& root) {
   return cap->number();
 }
 
-/// How far a posture is from what it can no longer hold.
+/// How far the posture that is asked for is from what it can no longer hold.
 template <int Dim>
-std::string margins(const Grasp<Dim>& grasp, const Vector<Dim>& up, const HoldSettings& settings) {
-  const WeightRange<Dim> weights = weight_range(grasp, up, settings);
-  const LeastFriction<Dim> friction = least_friction(grasp, up, settings);
+std::string margins(const FileOf<Dim>& file, const Grasp<Dim>& grasp, Question question) {
+  question.command = Command::hold;
+  const auto answer = std::get<HoldAnswer<Dim>>(ask(file, grasp, question).of);
+  const Load<Dim>& load = grasp.loads()[answer.posture.decides];
+  const Vector<Dim>& up = answer.posture.up;
+  const WeightRange<Dim> weights = weight_range(grasp, load, up, answer.settings);
+  const LeastFriction<Dim> friction = least_friction(grasp, load, up, answer.settings);
   const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
-  return json_text({{"weight", grasp.object().weight},
+  return json_text({{"weight", load.weight},
                     {"holdable", weights.holdable},
                     {"greatest_weight", number(weights.greatest.weight)},
                     {"friction_factor", number(friction.factor)}});
 }
 
-std::string answer(const std::string& command, const Field& root, const PlanarFile& file) {
-  root.mapping({"command", "grasp", "angle_deg", "domain", "force_cap"}, {"up", "ups", "cuts"},
-               "is for space, not for the plane");
-  root.get("command", "").word({"check", "hold", "best", "curve", "margins"});
-  const Grasp<2> grasp = file.grasp();
-  CurveSettings settings{.domain = file.domain, .force_cap = read_cap(root)};
-  if (const auto domain = root.find("domain"))
-    settings.domain = domain->word({"all", "pinched"}) == "all" ? Domain::all : Domain::pinched;
-
-  if (command == "check") return check_document(file, grasp);
-  if (command == "best") return best_document(grasp, best_posture(grasp, settings), settings);
-  if (command == "curve") return curve_document(grasp, posture_curve(grasp, settings), settings);
-  PostureOption option;
-  double theta = file.angle.value_or(0);
-  if (const auto angle = root.find("angle_deg")) {
-    const double degrees = std::remainder(angle->number(), 360.0);
-    option.angle_deg = degrees <= -180 ? 180 : degrees;
-    theta = *option.angle_deg * (3.14159265358979323846 / 180);
-  }
-  const HoldSettings hold_settings{.force_cap = settings.force_cap};
-  if (command == "margins") return margins<2>(grasp, up_at(theta), hold_settings);
-  return hold_document(grasp, theta, hold(grasp, up_at(theta), hold_settings), hold_settings,
-                       option);
-}
-
 /// V at each of the postures `ups`, null where unholdable.
-Json efforts(const std::vector<Grasp<3>>& grasps, const std::vector<Field>& ups,
-             const HoldSettings& settings) {
+Json efforts(const Grasp<3>& grasp, const std::vector<Field>& ups, const HoldSettings& settings) {
   Json result = Json::array();
-  std::vector<Twist<3>> from(grasps.size());
-  std::vector<char> warm(grasps.size(), 0);
+  std::vector<Hold<3>> holds(grasp.loads().size());  // in the posture before
   for (const Field& each : ups) {
     const Vector<3> up = each.vector<3>().stableNormalized();
     double most = 0;
-    for (std::size_t k = 0; k < grasps.size(); ++k) {
+    for (std::size_t k = 0; k < holds.size(); ++k) {
+      const Load<3>& load = grasp.loads()[k];
       Hold<3> there;
-      if (warm[k]) there = hold<3>(grasps[k], grasps[k].load(up), from[k], settings);
-      if (!there.holdable) there = hold<3>(grasps[k], up, settings);
-      warm[k] = there.holdable;
-      from[k] = there.dual;
+      if (holds[k].holdable)
+        there = hold<3>(grasp, load.at(up), load.weight, holds[k].dual, settings);
+      if (!there.holdable) there = hold<3>(grasp, load, up, settings);
       most = std::max(most, there.holdable ? there.effort : INFINITY);
+      holds[k] = std::move(there);
     }
     result.push_back(std::isfinite(most) ? Json(most) : Json());
   }
@@ -93,7 +68,7 @@ Json efforts(const std::vector<Grasp<3>>& grasps, const std::vector<Field>& ups,
 }
 
 /// What each cut says of any x in R^3: V(x) >= a . x - b, x = 1 being the weight [N^2].
-Json planes(const std::vector<Grasp<3>>& grasps, const std::vector<Field>& cuts) {
+Json planes(const Grasp<3>& grasp, const std::vector<Field>& cuts) {
   Json result = Json::array();
   for (const Field& cut : cuts) {
     Vector<3> a;
@@ -102,54 +77,63 @@ Json planes(const std::vector<Grasp<3>>& grasps, const std::vector<Field>& cuts)
       a = n->vector<3>();
     } else {
       const auto scenario = static_cast<std::size_t>(cut.get("scenario", "an index").number());
-      if (scenario >= grasps.size()) cut.fail("is of a scenario that the grasp does not have");
-      const Grasp<3>& grasp = grasps[scenario];
-      Twist<3> y;
+      if (scenario >= grasp.loads().size())
+        cut.fail("is of a scenario that the grasp does not have");
+      const Load<3>& load = grasp.loads()[scenario];
       const std::vector<Field> parts = cut.get("y", "six numbers").list();
       if (parts.size() != 6) cut.fail("must have a y of six numbers");
-      for (std::size_t k = 0; k < 6; ++k) y[static_cast<Eigen::Index>(k)] = parts[k].number();
-      y = about_com(grasp, y);
-      dual::Point<3> point(grasp.scaled().size);
-      dual::evaluate<3, double>(grasp.scaled(), Wrench<3>::Zero(), y, point);
-      const double square = grasp.object().weight * grasp.object().weight;
-      a = 2 * square * y.head<3>();
-      b = -2 * square * point.value;
+      Twist<3> y;
+      for (Eigen::Index k = 0; k < 6; ++k) y[k] = parts[static_cast<std::size_t>(k)].number();
+      b = -bound(grasp, load.fixed, y);
+      for (int k = 0; k < 3; ++k) a[k] = bound(grasp, load.at(Vector<3>::Unit(k)), y) + b;
     }
     result.push_back({{"a", {a.x(), a.y(), a.z()}}, {"b", b}});
   }
   return result;
 }
 
+Question question_of(const Field& root, const std::string& word) {
+  constexpr std::pair<const char*, Command> commands[] = {{"check", Command::check},
+                                                          {"hold", Command::hold},
+                                                          {"best", Command::best},
+                                                          {"curve", Command::curve}};
+  Question question{.force_cap = read_cap(root)};
+  for (const auto& [name, command] : commands)
+    if (word == name) question.command = command;
+  return question;
+}
+
+std::string answer(const std::string& command, const Field& root, const PlanarFile& file) {
+  root.mapping({"command", "grasp", "angle_deg", "domain", "force_cap"}, {"up", "ups", "cuts"},
+               "is for space, not for the plane");
+  root.get("command", "").word({"check", "hold", "best", "curve", "margins"});
+  const Grasp<2> grasp = file.grasp();
+  Question question = question_of(root, command);
+  if (const auto domain = root.find("domain"))
+    question.domain = domain->word({"all", "pinched"}) == "all" ? Domain::all : Domain::pinched;
+  if (const auto angle = root.find("angle_deg")) question.angle_deg = angle->number();
+  if (command == "margins") return margins<2>(file, grasp, question);
+  return document(file, grasp, ask(file, grasp, question));
+}
+
 std::string answer(const std::string& command, const Field& root, const SpatialFile& file) {
   root.mapping({"command", "grasp", "up", "force_cap", "ups", "cuts"}, {"angle_deg", "domain"},
                "is for the plane, not for space");
   root.get("command", "").word({"check", "hold", "best", "margins", "efforts", "planes"});
-  const std::vector<Grasp<3>> grasps = file.grasps();
-  const HoldSettings settings{.force_cap = read_cap(root)};
-
-  if (command == "check") return check_document(file, grasps);
-  if (command == "efforts")
-    return json_text(
-        {{"efforts", efforts(grasps, root.get("ups", "directions").list(), settings)}});
-  if (command == "planes")
-    return json_text({{"planes", planes(grasps, root.get("cuts", "those of best").list())}});
-  if (command == "best") {
-    SpatialSettings wanted;
-    wanted.force_cap = settings.force_cap;
-    wanted.tilt = file.tilt;
-    const Vector<3> up = file.up.value_or(Vector<3>(Vector<3>::UnitZ()));
-    return best_document(grasps, best_posture(grasps, wanted), wanted, orientation_of(up));
-  }
-  std::optional<Vector<3>> option;
+  const Grasp<3> grasp = file.grasp();
+  Question question = question_of(root, command);
   if (const auto up = root.find("up")) {
-    option = up->vector<3>();
-    if (!(option->stableNorm() > 0)) up->fail("has no length, must be a direction");
+    const Vector<3> given = up->vector<3>();
+    if (!(given.stableNorm() > 0)) up->fail("has no length, must be a direction");
+    question.up.assign(given.begin(), given.end());
   }
-  const Vector<3> up =
-      option ? option->stableNormalized() : file.up.value_or(Vector<3>(Vector<3>::UnitZ()));
-  const SpatialPosture posture = hold_all(grasps, up, settings);
-  if (command == "margins") return margins<3>(grasps[posture.scenario], up, settings);
-  return hold_document(grasps, posture, settings, option);
+  if (command == "margins") return margins<3>(file, grasp, question);
+  if (command == "efforts")
+    return json_text({{"efforts", efforts(grasp, root.get("ups", "directions").list(),
+                                          {.force_cap = question.force_cap})}});
+  if (command == "planes")
+    return json_text({{"planes", planes(grasp, root.get("cuts", "those of best").list())}});
+  return document(file, grasp, ask(file, grasp, question));
 }
 
 /// The bytes that hexadecimal digits spell, two for each.

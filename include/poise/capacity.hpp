@@ -48,6 +48,11 @@ template <int Dim>
 WeightRange<Dim> weight_range(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
                               const HoldSettings& settings = {});
 
+/// The same, read off any y that proves an end of the weights.
+template <int Dim>
+std::vector<Deciding> deciding(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
+                               const Twist<Dim>& dual, const HoldSettings& settings = {});
+
 /// The least common factor on all frictions and torsions with which the weight is still held.
 /// 1 / factor is the greatest safety.
 template <int Dim>

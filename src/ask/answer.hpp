@@ -19,7 +19,8 @@ struct CheckAnswer {
   Interval cradled{};  ///< in the plane: from == to where nothing is cradled
 };
 
-/// The posture that was asked for, as it was given; nothing where the file's was taken.
+/// The posture that was asked for, as it was given, an angle in (-180, 180]; nothing where the
+/// file's was taken.
 struct PostureOption {
   std::optional<double> angle_deg{};  ///< in the plane
   std::vector<double> up{};
@@ -40,21 +41,24 @@ template <>
 struct BestAnswer<2> {
   CurveSettings settings;
   Best<2> best;
-  /// As it is held now, where the file says so.
-  std::optional<Posture<2>> now;
+  std::optional<Posture<2>> now{};  ///< as it is held now, where the file says so
+  /// Where nothing in the domain holds: a posture of it, to show why.
+  std::optional<Posture<2>> unholdable{};
 };
 template <>
 struct BestAnswer<3> {
   SpatialSettings settings;
   Best<3> best;
-  std::optional<Posture<3>> now;
+  std::optional<Posture<3>> now{};         ///< as it is held now, where somebody said so
+  std::optional<Posture<3>> unholdable{};  ///< where proven: a posture of the domain, to show why
   Eigen::Quaterniond orientation{Eigen::Quaterniond::Identity()};  ///< the present one
 };
 
 struct CurveAnswer {
   CurveSettings settings;
   PostureCurve curve;
-  std::vector<Minimum<2>> optima;  ///< one for each of the curve's, maxima too
+  std::vector<Minimum<2>> optima;          ///< one for each of the curve's, maxima too
+  std::optional<Posture<2>> unholdable{};  ///< where nothing holds: a posture, to show why
 };
 
 /// What a gripper can hold in a posture, against one load.

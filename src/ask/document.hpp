@@ -31,6 +31,19 @@ std::string document(const Grasp<Dim>& grasp, const Answer& answer) {
 template <int Dim>
 std::string document(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                      const CheckAnswer<Dim>& answer);
+/// The same for whatever was asked.
+template <int Dim>
+std::string document(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
+                     const AnswerTo<Dim>& answer) {
+  return std::visit(
+      [&]<class Own>(const Own& own) {
+        if constexpr (std::is_same_v<Own, CheckAnswer<Dim>>)
+          return document<Dim>(file, grasp, own);
+        else
+          return document(grasp, own);
+      },
+      answer.of);
+}
 
 /// One answer of many: that of the documents above, but without what proves it (duals, arcs, cuts),
 /// minima beside the best ones, and what each contact does.

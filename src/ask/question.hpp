@@ -14,11 +14,11 @@ enum class Command { check, hold, best, curve, capacity };
 /// A question; what is not given is taken from the grasp file, else it has its default.
 struct Question {
   Command command{Command::best};
-  std::optional<double> angle_deg{};          ///< the posture in the plane, as it was given
-  std::vector<double> up{};                   ///< or its direction, as it was given: 2 or 3 numbers
-  std::optional<Domain> domain{};             ///< in the plane
+  std::optional<double> angle_deg{};  ///< the posture in the plane, as it was given
+  std::vector<double> up{};           ///< or its direction, as it was given: 2 or 3 numbers
+  std::optional<Domain> domain{};     ///< in the plane
   double force_cap{HoldSettings{}.force_cap};  ///< in weights of the heaviest load
-  std::optional<double> gap{};                ///< in space, as are all below but the safety
+  std::optional<double> gap{};                 ///< in space, as are all below but the safety
   std::optional<int> max_holds{};
   std::optional<Vector<3>> tilt_from{};
   std::optional<double> tilt_max_deg{};

@@ -3,55 +3,33 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "files/result.hpp"
-#include "files/spatial.hpp"
+#include "ask/ask.hpp"
+#include "ask/document.hpp"
 
 namespace poise {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double degree = 3.14159265358979323846 / 180;
-
-Vector<2> up_of(const PlanarFile& file, const Question& question) {
-  if (question.up.size() == 3)
-    throw InvalidGrasp("up", "has 3 numbers, must have 2: the grasp is in the plane");
-  if (!question.up.empty()) return {question.up[0], question.up[1]};
-  return up_at(question.angle_deg ? *question.angle_deg * degree : file.angle.value_or(0));
-}
-
-Vector<3> up_of(const SpatialFile& file, const Question& question) {
-  if (question.angle_deg)
-    throw InvalidGrasp("angle", "is for the plane, the grasp is in space: give up");
-  if (question.up.size() == 2)
-    throw InvalidGrasp("up", "has 2 numbers, must have 3: the grasp is in space");
-  if (!question.up.empty()) return Vector<3>(question.up.data()).stableNormalized();
-  return file.up.value_or(Vector<3>(Vector<3>::UnitZ()));
-}
-
-Json answer(const PlanarFile& file, const Question& question) {
-  const Grasp<2> grasp = file.grasp();
-  if (question.hold) {
-    const double theta = angle_of(up_of(file, question));
-    return hold_summary(grasp, theta, hold(grasp, up_at(theta), {.force_cap = question.force_cap}));
+/// The answer in few words. Of a question about many grasps, those in the plane take what is for
+/// them.
+template <class File>
+Json answer(const File& file, Question question) {
+  if constexpr (std::is_same_v<File, PlanarFile>) {
+    question.gap.reset();
+    question.max_holds.reset();
   }
-  return best_summary(grasp, best_posture(grasp, {.domain = question.domain.value_or(file.domain),
-                                                  .force_cap = question.force_cap}));
-}
-
-Json answer(const SpatialFile& file, const Question& question) {
-  const std::vector<Grasp<3>> grasps = file.grasps();
-  if (question.hold)
-    return hold_summary(grasps,
-                        hold_all(grasps, up_of(file, question), {.force_cap = question.force_cap}));
-  if (question.domain.value_or(Domain::all) != Domain::all)
-    throw InvalidGrasp("domain", "pinched is for the plane, the grasp is in space");
-  SpatialSettings settings;
-  settings.force_cap = question.force_cap;
-  settings.gap = question.gap.value_or(settings.gap);
-  settings.max_holds = question.max_holds.value_or(settings.max_holds);
-  settings.tilt = file.tilt;
-  return best_summary(grasps, best_posture(grasps, settings));
+  const auto grasp = file.grasp();
+  return std::visit(
+      [&](const auto& answer) -> Json {
+        if constexpr (requires { answer.posture; })
+          return summary(grasp, answer.posture);
+        else if constexpr (requires { answer.best; })
+          return summary(grasp, answer.best);
+        else
+          throw std::logic_error("records are of best and hold");
+      },
+      ask(file, grasp, question).of);
 }
 
 Json problem(Place place, const std::string& path, const std::string& words) {
@@ -77,6 +55,11 @@ Json answer(const std::function<GraspFile()>& read, const Question& question) {
     return problem({error.line(), error.column()}, error.path(), error.problem());
   } catch (const InvalidGrasp& error) {
     return problem({}, error.path(), error.problem());
+  } catch (const Misfit& misfit) {
+    return problem({}, misfit.option(),
+                   misfit.problem() + " the grasp is in " +
+                       (misfit.dimension() == 2 ? "the plane" : "space") +
+                       (misfit.option() == "angle" ? ": give up" : ""));
   }
 }
 

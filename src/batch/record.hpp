@@ -5,23 +5,12 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "ask/question.hpp"
 #include "data/acronym.hpp"
 #include "files/grasp_file.hpp"
 
 namespace poise {
-
-/// What is asked of every grasp; what is not given is as for one grasp.
-struct Question {
-  bool hold{false};                   ///< the least forces in one posture instead of the best
-  std::optional<double> angle_deg{};  ///< of that posture, in the plane
-  std::vector<double> up{};           ///< that posture, 2 or 3 numbers of any length but 0, or none
-  std::optional<Domain> domain{};
-  double force_cap{1e6};  ///< [weights]
-  std::optional<double> gap{};
-  std::optional<int> max_holds{};
-};
 
 enum class Outcome {
   answered,
@@ -43,6 +32,7 @@ struct RecordKey {
 
 /// The answer to a grasp, or, where reading it throws FileError, what is wrong with it. The words
 /// are those of `poise best --json` and `poise hold --json`, without proofs and contacts.
+/// @param question  its command is best or hold
 Record answer_record(const RecordKey& key, const std::function<GraspFile()>& read,
                      const Question& question);
 

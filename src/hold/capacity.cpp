@@ -104,6 +104,22 @@ Cut cut_by(const Question<Dim>& asked, const Twist<Dim>& y) {
   return {asked.driven(y) - asked.settings.force_cap * most.growing, most.fixed};
 }
 
+/// In every hold of the greatest weight (8) is an equation.
+template <int Dim>
+std::vector<Deciding> deciding_by(const Question<Dim>& asked, const Twist<Dim>& y) {
+  const Real gain = cut_by(asked, y).gain, least = 1e-9 * std::abs(gain);
+  const std::vector<Slide> all = slides(asked.hand, y);
+  std::vector<Deciding> result;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Contact<Dim>& contact = asked.hand.contacts()[i];
+    const Real along = dual::power(all[i], Real{contact.friction});
+    const bool pressing = std::isfinite(contact.max_normal) && along > least;
+    result.push_back({pressing ? static_cast<double>(along / gain) : 0,
+                      contact.friction > 0 && all[i].beside > least && along > -least});
+  }
+  return result;
+}
+
 /// The search for both ends: every y that proves something cuts the range.
 template <int Dim>
 class WeightSearch {
@@ -122,7 +138,8 @@ class WeightSearch {
     if (range_.holdable) find_greatest();
     complete(range_.least, least_);
     complete(range_.greatest, greatest_);
-    if (range_.holdable && range_.greatest.weight < infinity) find_deciding();
+    if (range_.holdable && range_.greatest.weight < infinity)
+      range_.deciding = deciding_by(asked_, range_.greatest.dual);
     return std::move(range_);
   }
 
@@ -218,20 +235,6 @@ class WeightSearch {
     end.posture = asked_.posture(std::move(hold), any ? asked_.load.weight : end.weight);
   }
 
-  /// In every hold of the greatest weight (8) is an equation.
-  void find_deciding() {
-    const Twist<Dim>& y = range_.greatest.dual;
-    const Real gain = cut_by(asked_, y).gain, least = 1e-9 * std::abs(gain);
-    const std::vector<Slide> all = slides(asked_.hand, y);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const Contact<Dim>& contact = asked_.hand.contacts()[i];
-      const Real along = dual::power(all[i], Real{contact.friction});
-      const bool pressing = std::isfinite(contact.max_normal) && along > least;
-      range_.deciding.push_back({pressing ? static_cast<double>(along / gain) : 0,
-                                 contact.friction > 0 && all[i].beside > least && along > -least});
-    }
-  }
-
   const Question<Dim>& asked_;
   bool pressed_{false};    ///< contacts must press even where there is no weight
   bool from_zero_{false};  ///< they can do so without any weight
@@ -320,6 +323,12 @@ WeightRange<Dim> weight_range(const Hand<Dim>& hand, const Load<Dim>& load, cons
 }
 
 template <int Dim>
+std::vector<Deciding> deciding(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
+                               const Twist<Dim>& dual, const HoldSettings& settings) {
+  return deciding_by(Question<Dim>{hand, load, up, settings}, dual);
+}
+
+template <int Dim>
 LeastFriction<Dim> least_friction(const Hand<Dim>& hand, const Load<Dim>& load,
                                   const Vector<Dim>& up, const HoldSettings& settings) {
   const Question<Dim> asked{hand, load, up, settings};
@@ -339,6 +348,8 @@ Capacity<Dim> capacity(const Hand<Dim>& hand, const Load<Dim>& load, const Vecto
 #define POISE_INSTANTIATE(Dim)                                                                      \
   template WeightRange<Dim> weight_range(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,    \
                                          const HoldSettings&);                                      \
+  template std::vector<Deciding> deciding(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,   \
+                                          const Twist<Dim>&, const HoldSettings&);                  \
   template LeastFriction<Dim> least_friction(const Hand<Dim>&, const Load<Dim>&,                    \
                                              const Vector<Dim>&, const HoldSettings&);              \
   template Capacity<Dim> capacity(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&, double,   \

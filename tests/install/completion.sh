@@ -27,7 +27,7 @@ expect() {  # offered words, then the command line
   failures=$((failures + 1))
 }
 
-expect batch,best,capacity,check,contacts,curve,draw,hold,import,paper,verify,view poise ''
+expect batch,best,capacity,check,contacts,curve,draw,hold,import,verify,view poise ''
 expect capacity,check,contacts,curve poise c
 expect --help,--version poise --
 expect disk.json,disk.yaml,parts,'two words.yml' poise best ''
@@ -40,8 +40,6 @@ expect pinched poise curve --domain p
 expect best,hold poise batch --what ''
 expect grasps.h5,grasps.jsonl,parts poise batch ''
 expect parts,picture.svg poise curve disk.yaml --plot ''
-expect parts poise paper --out ''
-expect '' poise paper ''
 expect '' poise hold --angle ''
 expect acronym poise import ''
 expect grasps.h5,parts poise import acronym ''
@@ -50,7 +48,7 @@ expect '' poise nonsense ''
 expect --angle poise hold disk.yaml --a
 
 # Every flag that the program knows, and no other.
-for command in '' check contacts hold best curve capacity draw verify batch view import paper; do
+for command in '' check contacts hold best curve capacity draw verify batch view import; do
   known=$("$program" ${command:+"$command"} --help |
     sed -nE 's/^  (-[a-z],)?(--[a-z0-9-]+).*/\2/p' | sort | paste -sd ,)
   expect "$known" poise ${command:+"$command"} --

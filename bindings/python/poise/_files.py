@@ -65,7 +65,7 @@ class GraspFile:
 
 def load(file: Path) -> GraspFile:
     """Reads a grasp file, YAML or JSON; "-" is standard input. Raises FileError."""
-    return _core.read_grasp_file(os.fspath(file))
+    return _core._read_grasp_file(os.fspath(file))
 
 
 def save(grasp: Union[GraspFile, _core.Grasp], file: Path) -> None:
@@ -82,7 +82,7 @@ def from_dict(values: Dict[str, Any]) -> GraspFile:
     """
     text = json.dumps(values, ensure_ascii=False, default=_plain)
     try:
-        return _core.grasp_from_yaml(text, "")
+        return _core._grasp_from_yaml(text, "")
     except FileError as error:
         raise FileError("", 0, 0, error.path, error.problem) from None
 

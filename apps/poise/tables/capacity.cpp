@@ -1,0 +1,171 @@
+// What `poise capacity` says.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "tables/parts.hpp"
+#include "tables/report.hpp"
+
+namespace poise {
+namespace {
+
+/// "a", "a and b", "a, b and c"
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text;
+}
+
+/// Some contacts, counted by finger, and what they do, in the singular or the plural.
+template <int Dim>
+std::string who_does(const Grasp<Dim>& grasp, const std::vector<bool>& chosen,
+                     const std::string& does, const std::string& they_do) {
+  std::vector<std::string> parts;
+  bool single = true;
+  for (std::size_t k = 0; k < grasp.fingers().size(); ++k) {
+    int some = 0, all = 0;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (grasp.finger_of(i) != k) continue;
+      ++all;
+      some += chosen[i] ? 1 : 0;
+    }
+    if (some == 0) continue;
+    const std::string& finger = grasp.fingers()[k];
+    single = parts.empty() && some == 1;
+    parts.push_back(all == 1      ? finger
+                    : some == all ? fmt::format("all {} contacts of {}", all, finger)
+                                  : fmt::format("{} of the {} contacts of {}", some, all, finger));
+  }
+  return parts.empty() ? "" : listed(parts) + (single ? does : they_do);
+}
+
+std::string weight_text(double weight) {
+  return fmt::format("{} ({} kg)", newtons(weight), plain(weight / standard_gravity));
+}
+
+const char* which_text(const std::string& which) {
+  return which == "now"       ? ", as it is held now"
+         : which == "best"    ? ", the best for the given weight"
+         : which == "upright" ? ", since no posture is given and the given weight is held in none"
+                              : "";
+}
+
+template <int Dim>
+std::string greatest_text(const WeightRange<Dim>& range, double given) {
+  if (!range.holdable) return "none: no weight can be held in this posture";
+  if (std::isinf(range.greatest.weight))
+    return "any: no max_normal limits the fingers that hold it";
+  return fmt::format("{}, {} times the given", weight_text(range.greatest.weight),
+                     plain(range.greatest.weight / given));
+}
+
+/// Which contacts decide the greatest weight.
+template <int Dim>
+std::string why_no_more(const Grasp<Dim>& grasp, const WeightRange<Dim>& range) {
+  if (!range.holdable || std::isinf(range.greatest.weight)) return {};
+  const auto& forces = range.greatest.posture.hold().forces;
+  std::vector<bool> pressing, slipping;
+  for (std::size_t i = 0; i < range.deciding.size(); ++i) {
+    const Deciding& contact = range.deciding[i];
+    pressing.push_back(contact.per_newton > 1e-6);
+    slipping.push_back(contact.slipping && forces[i].state != ContactState::unloaded);
+  }
+  const std::string press = who_does(grasp, pressing, " presses as hard as its max_normal allows",
+                                     " press as hard as their max_normal allows");
+  const std::string slip =
+      who_does(grasp, slipping, " uses all its friction", " use all their friction");
+  return press.empty() ? ""
+                       : "\n" + wrapped("At the greatest weight " + press +
+                                        (slip.empty() ? "" : "; " + slip) + ".");
+}
+
+/// The least friction of each of the different frictions.
+template <int Dim>
+std::string friction_text(const Grasp<Dim>& grasp, const LeastFriction<Dim>& least, double safety) {
+  if (std::isinf(least.factor)) return "none is enough";
+  if (least.factor == 0) return "none is needed";
+  if (least.factor < 1e-4)
+    return "ever less, the harder the fingers press: no max_normal limits them";
+  std::set<double> frictions;
+  for (const Contact<Dim>& contact : grasp.contacts())
+    if (contact.friction > 0) frictions.insert(contact.friction);
+  std::vector<std::string> parts;
+  for (const double friction : frictions)
+    parts.push_back(
+        fmt::format("{} instead of {}", plain(least.factor * friction), plain(safety * friction)));
+  const double left = safety / least.factor;
+  return listed(parts) + (left >= 1 ? fmt::format(": a safety factor of {}", plain(left))
+                                    : fmt::format(": {} times as much", plain(1 / left)));
+}
+
+/// What `measure` finds greatest in.
+template <class List, class Measure>
+const auto& most(const List& list, const Measure& measure) {
+  return **std::max_element(list.begin(), list.end(), [&](const auto* a, const auto* b) {
+    return measure(*a) < measure(*b);
+  });
+}
+
+/// One posture, against all loads: what decides is the load that leaves least.
+template <int Dim>
+std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
+                           const std::vector<const CapacityAt<Dim>*>& loads, double safety,
+                           const Style& style) {
+  const auto given = [&](const CapacityAt<Dim>& at) { return grasp.loads()[at.load].weight; };
+  const auto force = [](const CapacityAt<Dim>& at) {
+    return at.capacity.safe.holdable() ? at.capacity.safe.grip_force : HUGE_VAL;
+  };
+  const CapacityAt<Dim>& heaviest = most(loads, [&](const CapacityAt<Dim>& at) {
+    const WeightRange<Dim>& range = at.capacity.weights;
+    return range.holdable ? -range.greatest.weight / given(at) : 1;
+  });
+  const CapacityAt<Dim>& slippery =
+      most(loads, [](const CapacityAt<Dim>& at) { return at.capacity.friction.factor; });
+  const CapacityAt<Dim>& hardest = most(loads, force);
+
+  const CapacityAt<Dim>& first = *loads.front();
+  Table table({"<", "<"});
+  const WeightRange<Dim>& range = heaviest.capacity.weights;
+  table.add({"greatest weight",
+             greatest_text(range, given(heaviest)) + scenario_text(grasp, heaviest.load)});
+  if (range.holdable && range.least.weight > 0)
+    table.add(
+        {"least weight", weight_text(range.least.weight) + scenario_text(grasp, heaviest.load)});
+  table.add({"least friction", friction_text(grasp, slippery.capacity.friction, file.safety) +
+                                   scenario_text(grasp, slippery.load)});
+  const std::string on_friction = fmt::format(
+      "with a safety factor of {} on the friction{}", plain(safety),
+      file.safety == 1 ? "" : fmt::format(", on top of the file's {}", plain(file.safety)));
+  table.add({"force to command", (std::isinf(force(hardest)) ? "none: it cannot be held "
+                                                             : newtons(force(hardest)) + ", ") +
+                                     on_friction + scenario_text(grasp, hardest.load)});
+  return heading(place_text(first.up) + which_text(first.posture), style) + table.text(style) +
+         why_no_more(grasp, range);
+}
+
+}  // namespace
+
+template <int Dim>
+std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
+                   const CapacityAnswer<Dim>& answer, const Style& style) {
+  std::vector<std::string> weights;
+  for (const Load<Dim>& load : grasp.loads()) weights.push_back(weight_text(load.weight));
+  std::string text = title(file.name, style) + "The given weight is " + listed(weights) + ".\n";
+  const std::size_t count = grasp.loads().size();
+  for (std::size_t begin = 0; begin < answer.capacities.size(); begin += count) {
+    std::vector<const CapacityAt<Dim>*> loads;
+    for (std::size_t k = 0; k < count; ++k) loads.push_back(&answer.capacities[begin + k]);
+    text += posture_report<Dim>(file, grasp, loads, answer.safety, style);
+  }
+  return text;
+}
+
+template std::string report(const PlanarFile&, const Grasp<2>&, const CapacityAnswer<2>&,
+                            const Style&);
+template std::string report(const SpatialFile&, const Grasp<3>&, const CapacityAnswer<3>&,
+                            const Style&);
+
+}  // namespace poise

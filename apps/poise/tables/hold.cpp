@@ -1,0 +1,34 @@
+// What `poise hold` says.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "tables/parts.hpp"
+#include "tables/report.hpp"
+
+namespace poise {
+
+template <int Dim>
+std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp, const HoldAnswer<Dim>& answer,
+                   const Style& style) {
+  const Posture<Dim>& posture = answer.posture;
+  const std::string place = place_text(posture.up);
+  const std::string scenarios = scenarios_table(grasp, posture, style);
+  if (!posture.holdable())
+    return title(file.name, style) +
+           wrapped(place + " it cannot be held: " + reason_text(grasp, posture) + ".") + scenarios;
+  return title(file.name, style) +
+         fmt::format("{}: grip force {}, {}\n", place,
+                     style.bold(newtons(grip_force(grasp, posture))), to_string(posture.manner)) +
+         heading("Forces" + scenario_text(grasp, posture.decides), style) +
+         forces_table(grasp, posture.hold(), style) +
+         fmt::format("\nForce norm {}, effort {} N².\n", newtons(std::sqrt(posture.effort())),
+                     plain(posture.effort())) +
+         scenarios;
+}
+
+template std::string report(const PlanarFile&, const Grasp<2>&, const HoldAnswer<2>&, const Style&);
+template std::string report(const SpatialFile&, const Grasp<3>&, const HoldAnswer<3>&,
+                            const Style&);
+
+}  // namespace poise

@@ -1,0 +1,186 @@
+#include "tables/parts.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "files/degrees.hpp"
+
+namespace poise {
+namespace {
+
+/// The finger that presses hardest, as "finger left".
+template <int Dim>
+std::string strongest(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
+  const auto fingers = finger_forces(grasp, hold);
+  const auto most =
+      std::max_element(fingers.begin(), fingers.end(),
+                       [](const auto& a, const auto& b) { return a.normal < b.normal; });
+  if (most == fingers.end()) return "one finger";
+  return "finger " + grasp.fingers()[static_cast<std::size_t>(most - fingers.begin())];
+}
+
+}  // namespace
+
+std::string title(const std::string& name, const Style& style) {
+  return name.empty() ? "" : style.bold(name) + "\n\n";
+}
+
+std::string heading(const std::string& text, const Style& style) {
+  return "\n" + style.bold(text) + "\n";
+}
+
+std::string posture_text(const Vector<2>& up) { return degrees_text(angle_of(up)); }
+std::string posture_text(const Vector<3>& up) { return vector_text(up, 3); }
+std::string place_text(const Vector<2>& up) { return "At " + posture_text(up); }
+std::string place_text(const Vector<3>& up) { return "With " + posture_text(up) + " up"; }
+
+std::string range_text(const Interval& interval) {
+  constexpr double pi = std::numbers::pi;
+  if (interval.from == interval.to) return "only at " + degrees_text(interval.from);
+  if (interval.to - interval.from >= 2 * pi) return "in every posture";
+  const std::string from = "from " + degrees_text(interval.from);
+  if (interval.to <= pi) return from + " to " + degrees_text(interval.to);
+  return from + " through 180° to " + degrees_text(interval.to - 2 * pi);
+}
+
+std::string tilt_text(const Tilt& tilt) {
+  return "at most " + degrees_text(tilt.most) + " from " + posture_text(tilt.from);
+}
+
+template <int Dim>
+std::string reason_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
+  const std::string why = reason(grasp, posture.hold());
+  return grasp.loads().size() == 1 ? why : fmt::format("in scenario {} {}", posture.decides, why);
+}
+
+template <int Dim>
+void add_posture(Table& table, const std::string& which, const Grasp<Dim>& grasp,
+                 const Posture<Dim>& posture, const std::string& how) {
+  const bool holdable = posture.holdable();
+  table.add({which, posture_text(posture.up),
+             holdable ? "grip force " + newtons(grip_force(grasp, posture)) : "cannot be held",
+             holdable ? to_string(posture.manner) : "", how});
+}
+
+template <int Dim>
+std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const Style& style) {
+  const auto fingers = finger_forces(grasp, hold);
+  const std::vector<Contact<Dim>>& contacts = grasp.contacts();
+  const bool any_soft = std::any_of(contacts.begin(), contacts.end(),
+                                    [](const auto& contact) { return contact.torsion > 0; });
+  const int decimals = decimals_for(grip_force(grasp, hold));
+  const Lengths lengths(grasp.radius());
+  std::vector<std::string> headings{"<finger", "contact", "normal [N]", "tangential [N]"};
+  if (any_soft) headings.push_back(fmt::format("torsion [N {}]", lengths.unit));
+  for (const char* rest : {"friction used", "<state", "<limit"}) headings.emplace_back(rest);
+  Table table(headings);
+  for (std::size_t k = 0; k < fingers.size(); ++k) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < hold.forces.size(); ++i) {
+      if (grasp.finger_of(i) != k) continue;
+      const ContactForce<Dim>& force = hold.forces[i];
+      const bool loaded = force.state != ContactState::unloaded;
+      std::vector<std::string> row{count++ == 0 ? grasp.fingers()[k] : "", std::to_string(i),
+                                   fixed(force.normal, decimals)};
+      if constexpr (Dim == 2) {
+        row.push_back(fixed(force.tangential, decimals));
+      } else {
+        row.push_back(fixed(force.tangential.norm(), decimals));
+        if (any_soft)
+          row.push_back(contacts[i].torsion > 0
+                            ? fixed(lengths.per_metre * force.torsion_moment,
+                                    std::max(0, decimals + (lengths.per_metre > 1 ? -2 : 0)))
+                            : "");
+      }
+      row.push_back(loaded ? fixed(100 * force.friction_used, 1) + " %" : "");
+      row.emplace_back(to_string(force.state));
+      row.emplace_back(force.limit == ForceLimit::none  ? ""
+                       : force.limit == ForceLimit::min ? "at min_normal"
+                                                        : "at max_normal");
+      table.add(std::move(row));
+    }
+    if (count > 1) table.add({"", "together", fixed(fingers[k].normal, decimals)});
+  }
+  return table.text(style);
+}
+
+template <int Dim>
+std::string scenarios_table(const Grasp<Dim>& grasp, const Posture<Dim>& posture,
+                            const Style& style) {
+  if (grasp.loads().size() == 1) return {};
+  double effort = 0;
+  for (const Hold<Dim>& hold : posture.holds) effort = std::max(effort, hold.effort);
+  const double grip = grip_force(grasp, posture);
+  const Lengths lengths(grasp.radius());
+  Table table({"scenario", "weight [N]", fmt::format("centre of mass [{}]", lengths.unit),
+               "grip force [N]", "force norm [N]", "effort [N²]", "<"});
+  for (std::size_t k = 0; k < grasp.loads().size(); ++k) {
+    const Load<Dim>& load = grasp.loads()[k];
+    const Hold<Dim>& hold = posture.holds[k];
+    std::vector<std::string> row{std::to_string(k), plain(load.weight), lengths.text(load.com)};
+    if (hold.holdable)
+      row.insert(row.end(),
+                 {fixed(grip_force(grasp, hold), decimals_for(grip)),
+                  fixed(std::sqrt(hold.effort), decimals_for(std::sqrt(effort))),
+                  fixed(hold.effort, decimals_for(effort)), k == posture.decides ? "decides" : ""});
+    else
+      row.insert(row.end(), {"", "", "", "cannot be held"});
+    table.add(std::move(row));
+  }
+  return heading("Scenarios", style) + table.text(style);
+}
+
+std::string optima_table(const std::vector<OptimumRow>& rows, const std::vector<std::string>& words,
+                         const Style& style) {
+  // Four digits of the least number in a column.
+  double grip = 0, effort = 0;
+  for (const OptimumRow& row : rows) {
+    grip = grip == 0 ? row.grip_force : std::min(grip, row.grip_force);
+    effort = effort == 0 ? row.effort : std::min(effort, row.effort);
+  }
+  std::vector<std::string> headings{"posture", "grip force [N]", "force norm [N]", "effort [N²]"};
+  for (const std::string& word : words) headings.push_back("<" + word);
+  Table table(headings);
+  for (const OptimumRow& row : rows) {
+    std::vector<std::string> cells{row.posture, fixed(row.grip_force, decimals_for(grip)),
+                                   fixed(std::sqrt(row.effort), decimals_for(std::sqrt(effort))),
+                                   fixed(row.effort, decimals_for(effort))};
+    cells.insert(cells.end(), row.words.begin(), row.words.end());
+    table.add(std::move(cells));
+  }
+  return table.text(style);
+}
+
+template <int Dim>
+std::string why_pinching_costs(const Grasp<Dim>& grasp, const Posture<Dim>& best,
+                               const Posture<Dim>& pinched) {
+  const double factor = pinched.effort() / best.effort();
+  const std::string cost = fmt::format(
+      "Pinched it costs {} times the force norm ({} times the effort): ", plain(std::sqrt(factor)),
+      plain(factor));
+  const std::string squeeze =
+      ", whereas pinched the fingers have to squeeze, so that friction carries the weight.";
+  if (best.manner == Manner::resting)
+    return cost + "at the best posture it rests on " + strongest(grasp, best.hold()) + squeeze;
+  if (best.manner == Manner::cradled)
+    return cost + "at the best posture it lies in the fork of the fingers" + squeeze;
+  return cost + (Dim == 2 ? "the best posture is at an end of those in which it can be held."
+                          : "the best posture is at the border of those in which it can be held.");
+}
+
+template std::string reason_text(const Grasp<2>&, const Posture<2>&);
+template void add_posture(Table&, const std::string&, const Grasp<2>&, const Posture<2>&,
+                          const std::string&);
+template std::string forces_table(const Grasp<2>&, const Hold<2>&, const Style&);
+template std::string scenarios_table(const Grasp<2>&, const Posture<2>&, const Style&);
+template std::string why_pinching_costs(const Grasp<2>&, const Posture<2>&, const Posture<2>&);
+template std::string reason_text(const Grasp<3>&, const Posture<3>&);
+template void add_posture(Table&, const std::string&, const Grasp<3>&, const Posture<3>&,
+                          const std::string&);
+template std::string forces_table(const Grasp<3>&, const Hold<3>&, const Style&);
+template std::string scenarios_table(const Grasp<3>&, const Posture<3>&, const Style&);
+template std::string why_pinching_costs(const Grasp<3>&, const Posture<3>&, const Posture<3>&);
+
+}  // namespace poise

@@ -1,0 +1,91 @@
+// What reports of the plane and of space have in common.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "poise/best_posture.hpp"
+#include "tables/table.hpp"
+
+namespace poise {
+
+std::string title(const std::string& name, const Style& style);
+std::string heading(const std::string& text, const Style& style);
+
+/// A posture in words: "20.00°", "(0.000, 0.000, 1.000)".
+std::string posture_text(const Vector<2>& up);
+std::string posture_text(const Vector<3>& up);
+/// Where it is held: "At 20.00°", "With (0.000, 0.000, 1.000) up".
+std::string place_text(const Vector<2>& up);
+std::string place_text(const Vector<3>& up);
+
+/// "from -30.00° to 30.00°", "in every posture"
+std::string range_text(const Interval& interval);
+/// "at most 30.00° from (0.000, 0.000, 1.000)"
+std::string tilt_text(const Tilt& tilt);
+
+/// How hard the hardest pressing finger presses against any of the loads [N].
+template <int Dim>
+double grip_force(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
+  double most = 0;
+  for (const Hold<Dim>& hold : posture.holds) most = std::max(most, grip_force(grasp, hold));
+  return most;
+}
+
+/// Why it cannot be held, and in which scenario.
+template <int Dim>
+std::string reason_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture);
+
+/// ", in scenario 1", or nothing where there is but one.
+template <int Dim>
+std::string scenario_text(const Grasp<Dim>& grasp, std::size_t load) {
+  return grasp.loads().size() == 1 ? "" : ", in scenario " + std::to_string(load);
+}
+
+/// A line of a summary: which posture, how hard the fingers press, and how to get there.
+template <int Dim>
+void add_posture(Table& table, const std::string& which, const Grasp<Dim>& grasp,
+                 const Posture<Dim>& posture, const std::string& how);
+
+/// Forces by contact, and by finger where a finger has several contacts.
+template <int Dim>
+std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const Style& style);
+
+/// What each scenario needs in a posture; nothing where there is but one.
+template <int Dim>
+std::string scenarios_table(const Grasp<Dim>& grasp, const Posture<Dim>& posture,
+                            const Style& style);
+
+/// A line of a table of optima.
+struct OptimumRow {
+  std::string posture;
+  double grip_force, effort;
+  std::vector<std::string> words;  ///< manner, and what else there is to say
+};
+/// `words` are the headings of the words.
+std::string optima_table(const std::vector<OptimumRow>& rows, const std::vector<std::string>& words,
+                         const Style& style);
+
+/// By which factor the best pinched posture costs more than the best, and why.
+template <int Dim>
+std::string why_pinching_costs(const Grasp<Dim>& grasp, const Posture<Dim>& best,
+                               const Posture<Dim>& pinched);
+
+/// Lengths in the unit that makes them easy to read.
+struct Lengths {
+  explicit Lengths(double radius)
+      : per_metre(radius >= 1 ? 1 : 1000),
+        decimals(decimals_for(radius * per_metre)),
+        unit(radius >= 1 ? "m" : "mm") {}
+  std::string text(double length) const { return fixed(per_metre * length, decimals); }
+  template <class Point>
+  std::string text(const Point& point) const {
+    return vector_text(per_metre * point, decimals);
+  }
+  double per_metre;
+  int decimals;
+  std::string unit;
+};
+
+}  // namespace poise

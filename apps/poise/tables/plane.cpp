@@ -1,0 +1,157 @@
+// What `poise best` and `poise curve` say in the plane.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "files/degrees.hpp"
+#include "tables/parts.hpp"
+#include "tables/report.hpp"
+
+namespace poise {
+namespace {
+
+std::string ranges_text(const std::vector<Interval>& intervals) {
+  if (intervals.empty()) return "in no posture";
+  std::string text;
+  for (const Interval& interval : intervals)
+    text += (text.empty() ? "" : ", ") + range_text(interval);
+  return text;
+}
+
+/// The posture of an optimum, and the stretch that is as good.
+std::string posture_text(const Optimum& optimum) {
+  const std::string angle = degrees_text(optimum.angle);
+  if (optimum.from == optimum.to) return angle;
+  const std::string stretch = range_text({optimum.from, optimum.to});
+  return angle + " (the same " + stretch + ")";
+}
+
+enum class Types { left_out, shown };
+
+std::string optima_text(const Grasp<2>& grasp, const std::vector<Minimum<2>>& optima, Types types,
+                        const Style& style) {
+  std::vector<OptimumRow> rows;
+  for (const Minimum<2>& posture : optima) {
+    const Optimum& optimum = posture.optimum;
+    rows.push_back({posture_text(optimum),
+                    grip_force<2>(grasp, posture),
+                    optimum.effort,
+                    {to_string(posture.manner), to_string(optimum.kind)}});
+    if (types == Types::shown)
+      rows.back().words.emplace_back(optimum.maximum ? "maximum" : "minimum");
+  }
+  std::vector<std::string> words{"manner", "kind"};
+  if (types == Types::shown) words.emplace_back("type");
+  return optima_table(rows, words, style);
+}
+
+/// "turn by 30.00° counter-clockwise"
+std::string turn_text(double from, double to) {
+  const double turn = std::remainder(to - from, 2 * std::numbers::pi);
+  const std::string size = degrees_text(std::abs(turn));
+  if (size == degrees_text(0)) return "stay";
+  return "turn by " + size + (turn < 0 ? " clockwise" : " counter-clockwise");
+}
+
+std::string scope(const CurveSettings& settings) {
+  return settings.domain == Domain::all ? "" : " outside the fork of the fingers";
+}
+
+/// What the answer does not know, if anything.
+std::string doubt(const PostureCurve& curve) {
+  if (curve.undecided.empty()) return {};
+  double sum = 0;
+  for (const Interval& part : curve.undecided) sum += part.to - part.from;
+  return "\n" + wrapped(fmt::format(
+                    "Not all is proven: rounding left {:.2g}° of postures undecided, near {}.",
+                    degrees(sum), degrees_text(curve.undecided.front().from)));
+}
+
+/// Why nothing in the domain can be held, in words.
+std::string nowhere(const Grasp<2>& grasp, const PostureCurve& curve, const CurveSettings& settings,
+                    const std::optional<Posture<2>>& example) {
+  if (!curve.undecided.empty())
+    return "Found no posture" + scope(settings) + " in which it can be held.\n" + doubt(curve);
+  std::string text = "Cannot be held in any posture" + scope(settings) + ".\n";
+  if (example && !example->holdable())
+    text += wrapped(place_text(example->up) + ": " + reason_text(grasp, *example) + ".");
+  return text;
+}
+
+/// Along an arc nothing changes but the size of the forces.
+std::string arcs_table(const Grasp<2>& grasp, const PostureCurve& curve, const Style& style) {
+  constexpr std::size_t most_columns = 8;
+  const std::size_t contacts = grasp.contacts().size();
+  std::vector<std::string> headings{"from", "to", "force norm [N]", "to [N]"};
+  if (contacts <= most_columns)
+    for (std::size_t i = 0; i < contacts; ++i) headings.push_back("<" + grasp.contacts()[i].finger);
+  Table table(headings);
+  double largest = 0;
+  for (const Arc& arc : curve.arcs) largest = std::max({largest, arc.V(arc.from), arc.V(arc.to)});
+  const int decimals = decimals_for(std::sqrt(largest));
+  const auto norm = [](const Arc& arc, double theta) {
+    return std::sqrt(std::max(0.0, arc.V(theta)));
+  };
+  for (const Arc& arc : curve.arcs) {
+    std::vector<std::string> row{degrees_text(arc.from), degrees_text(arc.to),
+                                 fixed(norm(arc, arc.from), decimals),
+                                 fixed(norm(arc, arc.to), decimals)};
+    if (contacts <= most_columns)
+      for (std::size_t i = 0; i < contacts; ++i) {
+        const ArcState& state = curve.states[arc.first_state + i];
+        row.push_back(
+            std::string(to_string(state.state)) +
+            (state.limit == ForceLimit::none ? "" : std::string(" at ") + to_string(state.limit)));
+      }
+    table.add(std::move(row));
+  }
+  return heading("Arcs: what each contact does", style) + table.text(style);
+}
+
+}  // namespace
+
+std::string report(const PlanarFile& file, const Grasp<2>& grasp, const BestAnswer<2>& answer,
+                   const Style& style) {
+  const Best<2>& best = answer.best;
+  const PostureCurve& curve = best.proof.curve;
+  const CurveSettings& settings = answer.settings;
+  std::string text = title(file.name, style);
+  if (!best.holdable()) return text + nowhere(grasp, curve, settings, answer.unholdable);
+
+  const Minimum<2>& lowest = best.best();
+  const Minimum<2>* const pinched = best.best_pinched();
+  std::vector<std::pair<std::string, const Minimum<2>*>> shown{{"best", &lowest}};
+  const bool differ = pinched && pinched != &lowest;
+  if (differ) shown.emplace_back("best pinched", pinched);
+  Table summary({"<", "", "", "<", "<"});
+  if (answer.now) add_posture(summary, "now", grasp, *answer.now, "");
+  for (const auto& [which, posture] : shown)
+    add_posture<2>(summary, which, grasp, *posture,
+                   file.angle ? turn_text(*file.angle, posture->optimum.angle) : "");
+  text += summary.text(style);
+  if (differ) text += "\n" + wrapped(why_pinching_costs<2>(grasp, lowest, *pinched));
+  if (!pinched) text += "\nThere is no pinched minimum" + scope(settings) + ".\n";
+
+  text += heading("Minima, lowest first", style) +
+          optima_text(grasp, best.minima, Types::left_out, style);
+  for (const auto& [which, posture] : shown)
+    text += heading("Forces at " + degrees_text(posture->optimum.angle) + ", the " + which, style) +
+            forces_table(grasp, posture->hold(), style);
+  return text + "\nHoldable " + ranges_text(curve.holdable) + scope(settings) + ".\n" +
+         doubt(curve);
+}
+
+std::string report(const PlanarFile& file, const Grasp<2>& grasp, const CurveAnswer& answer,
+                   const Style& style) {
+  const PostureCurve& curve = answer.curve;
+  const std::string text = title(file.name, style);
+  if (curve.holdable.empty())
+    return text + nowhere(grasp, curve, answer.settings, answer.unholdable);
+  return text + "Holdable " + ranges_text(curve.holdable) + scope(answer.settings) + ".\n" +
+         doubt(curve) + heading("Minima, lowest first, then maxima, highest first", style) +
+         optima_text(grasp, answer.optima, Types::shown, style) + arcs_table(grasp, curve, style);
+}
+
+}  // namespace poise

@@ -1,0 +1,109 @@
+// What `poise best` says in space.
+#include <fmt/core.h>
+
+#include "poise/turn.hpp"
+#include "tables/parts.hpp"
+#include "tables/report.hpp"
+
+namespace poise {
+namespace {
+
+/// Postures to choose from, in a sentence.
+std::string scope(const SpatialSettings& settings) {
+  return settings.tilt ? " " + tilt_text(*settings.tilt) : "";
+}
+
+/// "turn by 30.00° about (0.000, 1.000, 0.000)"
+std::string turn_text(const Turn& turn) {
+  const std::string angle = degrees_text(turn.angle);
+  if (angle == degrees_text(0)) return "stay";
+  return "turn by " + angle + " about " + posture_text(turn.axis);
+}
+
+std::string optima_text(const Grasp<3>& grasp, const std::vector<Minimum<3>>& optima,
+                        const Style& style) {
+  const bool scenarios = grasp.loads().size() > 1;
+  std::vector<OptimumRow> rows;
+  for (const Minimum<3>& posture : optima) {
+    rows.push_back({posture_text(posture.up),
+                    grip_force<3>(grasp, posture),
+                    posture.effort(),
+                    {to_string(posture.manner)}});
+    if (scenarios) rows.back().words.push_back(std::to_string(posture.decides));
+  }
+  std::vector<std::string> words{"manner"};
+  if (scenarios) words.emplace_back("scenario");
+  return optima_table(rows, words, style);
+}
+
+/// How sure the best is.
+std::string proof_text(const Best<3>& best, const SpatialSettings& settings) {
+  if (best.status == Status::optimal)
+    return fmt::format(
+        "Proven with {} holds: the effort of no posture{} is lower by more than a part of {:.1g}.",
+        best.proof.holds, scope(settings), std::max(best.relative_gap, 1e-12));
+  return fmt::format(
+      "Not proven: a gap of {:.2g} was wanted, after {} holds it is {:.2g}. A posture{} may exist "
+      "that needs an effort of only {} N²; more holds (--max-holds) may tell.",
+      settings.gap, best.proof.holds, best.relative_gap, scope(settings), plain(best.lower_bound));
+}
+
+/// Why no posture is shown.
+std::string nowhere(const Grasp<3>& grasp, const BestAnswer<3>& answer) {
+  if (answer.best.status == Status::gap)
+    return wrapped(fmt::format(
+        "Found no posture{} in which it can be held, in {} holds. That there is none is not "
+        "proven; more holds (--max-holds) may tell.",
+        scope(answer.settings), answer.best.proof.holds));
+  const std::optional<Posture<3>>& example = answer.unholdable;
+  std::string text = wrapped("Cannot be held in any posture" + scope(answer.settings) + ".");
+  if (example && !example->holdable())
+    text += wrapped(place_text(example->up) + ": " + reason_text(grasp, *example) + ".");
+  return text;
+}
+
+}  // namespace
+
+std::string report(const SpatialFile& file, const Grasp<3>& grasp, const BestAnswer<3>& answer,
+                   const Style& style) {
+  const Best<3>& best = answer.best;
+  std::string text = title(file.name, style);
+  if (!best.holdable()) return text + nowhere(grasp, answer);
+
+  const Minimum<3>& lowest = best.best();
+  const Minimum<3>* const pinched = best.best_pinched();
+  const bool differ = pinched && pinched != &lowest;
+  std::vector<std::pair<std::string, const Minimum<3>*>> shown{{"best", &lowest}};
+  if (differ) shown.emplace_back("best pinched", pinched);
+
+  Table summary({"<", "up", "", "<", "<"}), rotations({"<", "w", "x", "y", "z"});
+  if (answer.now) add_posture(summary, "now", grasp, *answer.now, "");
+  for (const auto& [which, posture] : shown) {
+    const Turn turn = turn_to(answer.orientation, posture->up);
+    add_posture<3>(summary, which, grasp, *posture, turn_text(turn));
+    std::vector<std::string> row{which};
+    for (const double part :
+         {turn.rotation.w(), turn.rotation.x(), turn.rotation.y(), turn.rotation.z()})
+      row.push_back(fixed(part, 6));
+    rotations.add(std::move(row));
+  }
+  text += summary.text(style) + "\n" + wrapped(proof_text(best, answer.settings));
+  if (differ) text += "\n" + wrapped(why_pinching_costs<3>(grasp, lowest, *pinched));
+  if (!pinched)
+    text += "\n" + wrapped(lowest.manner == Manner::pinched
+                               ? "All pinched minima that were found are at the border of the "
+                                 "postures that are allowed or can be held."
+                               : "No pinched minimum was found inside the postures that are "
+                                 "allowed and can be held.");
+
+  text += heading("The turn as a quaternion, in the world frame with +z up", style) +
+          rotations.text(style);
+  for (const auto& [which, posture] : shown)
+    text += heading("Forces at the " + which + scenario_text(grasp, posture->decides), style) +
+            forces_table(grasp, posture->hold(), style);
+  return text + scenarios_table<3>(grasp, lowest, style) +
+         heading("Minima found, lowest first; there may be others", style) +
+         optima_text(grasp, best.minima, style);
+}
+
+}  // namespace poise

@@ -1,0 +1,259 @@
+#include "ask/ask.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "files/degrees.hpp"
+#include "poise/turn.hpp"
+#include "shape/sizes.hpp"
+
+namespace poise {
+namespace {
+
+bool posture_given(const Question& question) { return question.angle_deg || !question.up.empty(); }
+
+/// theta, where it is told as an angle.
+std::optional<double> angle(const PlanarFile& file, const Question& question) {
+  if (!question.up.empty()) return {};
+  return question.angle_deg ? radians(*question.angle_deg) : file.angle.value_or(0);
+}
+
+/// The posture that was given.
+Vector<2> given_up(const PlanarFile& file, const Question& question) {
+  if (question.up.size() == 3) throw Misfit("up", "has 3 numbers, must have 2:", 2);
+  if (question.up.empty()) return up_at(*angle(file, question));
+  return Vector<2>(question.up.data()).stableNormalized();
+}
+
+Vector<3> given_up(const SpatialFile&, const Question& question) {
+  if (question.angle_deg) throw Misfit("angle", "is for the plane,", 3);
+  if (question.up.size() == 2) throw Misfit("up", "has 2 numbers, must have 3:", 3);
+  return Vector<3>(question.up.data()).stableNormalized();
+}
+
+/// The posture in which the object is held now, if the file says so.
+std::optional<Vector<2>> present_up(const PlanarFile& file) {
+  return file.angle ? std::optional(up_at(*file.angle)) : std::nullopt;
+}
+
+std::optional<Vector<3>> present_up(const SpatialFile& file) { return file.up; }
+
+template <int Dim>
+Vector<Dim> upright() {
+  return Vector<Dim>::Unit(Dim - 1);
+}
+
+template <int Dim>
+Vector<Dim> up_of(const FileOf<Dim>& file, const Question& question) {
+  return posture_given(question) ? given_up(file, question)
+                                 : present_up(file).value_or(upright<Dim>());
+}
+
+/// That of the file, or what the options make of it.
+std::optional<Tilt> tilt_of(const SpatialFile& file, const Question& question) {
+  const auto& [from, most_deg] = std::tie(question.tilt_from, question.tilt_max_deg);
+  if (!from && !most_deg) return file.tilt;
+  if (!file.tilt && !most_deg) throw Misfit("tilt-from", "needs --tilt-max, or a tilt in", 0);
+  if (!file.tilt && !from) throw Misfit("tilt-max", "needs --tilt-from, or a tilt in", 0);
+  Tilt tilt = file.tilt.value_or(Tilt{});
+  if (from) tilt.from = *from;
+  if (most_deg) tilt.most = radians(*most_deg);
+  return tilt;
+}
+
+CurveSettings curve_settings(const PlanarFile& file, const Question& question) {
+  return {.domain = question.domain.value_or(file.domain), .force_cap = question.force_cap};
+}
+
+SpatialSettings spatial_settings(const SpatialFile& file, const Question& question) {
+  SpatialSettings settings;
+  settings.force_cap = question.force_cap;
+  settings.gap = question.gap.value_or(settings.gap);
+  settings.max_holds = question.max_holds.value_or(settings.max_holds);
+  settings.tilt = tilt_of(file, question);
+  return settings;
+}
+
+CheckAnswer<2> check(const PlanarFile&, const Grasp<2>& grasp) {
+  return {force_closure(grasp), cradled_wedge(grasp, grasp.loads().front().com)};
+}
+
+CheckAnswer<3> check(const SpatialFile&, const Grasp<3>& grasp) { return {force_closure(grasp)}; }
+
+PostureOption option_of(const Question& question) {
+  PostureOption option{.up = question.up};
+  if (question.angle_deg) option.angle_deg = in_circle(*question.angle_deg);
+  return option;
+}
+
+template <int Dim>
+HoldAnswer<Dim> hold_in_posture(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
+                                const Question& question) {
+  const HoldSettings settings{.force_cap = question.force_cap};
+  HoldAnswer<Dim> answer{option_of(question), settings,
+                         posture_at(grasp, up_of<Dim>(file, question), settings)};
+  if constexpr (Dim == 2) answer.angle = angle(file, question);
+  return answer;
+}
+
+/// A posture of a domain in which nothing can be held.
+Posture<2> example_of(const Grasp<2>& grasp, const CurveSettings& settings) {
+  const Interval domain = domain_interval(grasp, settings.domain);
+  return posture_at(grasp, up_at((domain.from + domain.to) / 2), {settings.force_cap});
+}
+
+BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question& question) {
+  for (const auto& [given, option] : {std::pair(question.gap.has_value(), "gap"),
+                                      {question.max_holds.has_value(), "max-holds"},
+                                      {question.tilt_from.has_value(), "tilt-from"},
+                                      {question.tilt_max_deg.has_value(), "tilt-max"},
+                                      {question.orientation.has_value(), "orientation"}})
+    if (given) throw Misfit(option, "is for space,", 2);
+  const CurveSettings settings = curve_settings(file, question);
+  BestAnswer<2> answer{settings, best_posture(grasp, settings)};
+  if (file.angle) answer.now = posture_at(grasp, up_at(*file.angle), {settings.force_cap});
+  if (!answer.best.holdable()) answer.unholdable = example_of(grasp, settings);
+  return answer;
+}
+
+BestAnswer<3> best(const SpatialFile& file, const Grasp<3>& grasp, const Question& question) {
+  if (question.domain.value_or(Domain::all) == Domain::pinched)
+    throw Misfit("domain", "pinched is for the plane,", 3);
+  const SpatialSettings settings = spatial_settings(file, question);
+  BestAnswer<3> answer{settings, best_posture(grasp, settings)};
+  answer.orientation = question.orientation ? *question.orientation
+                       : file.up            ? orientation_of(*file.up)
+                                            : Eigen::Quaterniond::Identity();
+  const Vector<3> now = answer.orientation.conjugate() * Vector<3>::UnitZ();
+  if (question.orientation || file.up) answer.now = posture_at(grasp, now, {settings.force_cap});
+  if (answer.best.status == Status::unholdable)
+    answer.unholdable =
+        posture_at(grasp, settings.tilt ? settings.tilt->from : now, {settings.force_cap});
+  return answer;
+}
+
+CurveAnswer curve(const PlanarFile& file, const Grasp<2>& grasp, const Question& question) {
+  const CurveSettings settings = curve_settings(file, question);
+  CurveAnswer answer{settings, posture_curve(grasp, settings), {}};
+  for (const Optimum& optimum : answer.curve.optima)
+    answer.optima.push_back(minimum_at(grasp, optimum, settings));
+  if (answer.curve.holdable.empty()) answer.unholdable = example_of(grasp, settings);
+  return answer;
+}
+
+std::optional<Vector<2>> best_up(const PlanarFile& file, const Grasp<2>& grasp, double force_cap) {
+  const Best<2> best = best_posture(grasp, {.domain = file.domain, .force_cap = force_cap});
+  return best.holdable() ? std::optional(best.best().up) : std::nullopt;
+}
+
+std::optional<Vector<3>> best_up(const SpatialFile& file, const Grasp<3>& grasp, double force_cap) {
+  SpatialSettings settings;
+  settings.force_cap = force_cap;
+  settings.tilt = file.tilt;
+  settings.starts = 0;
+  const Best<3> best = best_posture(grasp, settings);
+  return best.holdable() ? std::optional(best.best().up) : std::nullopt;
+}
+
+template <int Dim>
+using NamedUps = std::vector<std::pair<std::string, Vector<Dim>>>;
+
+enum class Which { first, all };
+
+/// The posture given; else that of the file and the best one, as far as they are wanted.
+template <int Dim>
+NamedUps<Dim> postures(const FileOf<Dim>& file, const Grasp<Dim>& grasp, const Question& question,
+                       Which which) {
+  if (posture_given(question)) return {{"given", given_up(file, question)}};
+  NamedUps<Dim> list;
+  if (const auto now = present_up(file)) list.emplace_back("now", *now);
+  if (list.empty() || which == Which::all)
+    if (const auto up = best_up(file, grasp, question.force_cap)) list.emplace_back("best", *up);
+  if (list.empty()) list.emplace_back("upright", upright<Dim>());
+  return list;
+}
+
+template <int Dim>
+CapacityAnswer<Dim> capacities(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
+                               const Question& question) {
+  const HoldSettings settings{.force_cap = question.force_cap};
+  CapacityAnswer<Dim> answer{option_of(question), question.force_cap, question.safety, {}};
+  for (const auto& [name, up] : postures(file, grasp, question, Which::all))
+    for (std::size_t k = 0; k < grasp.loads().size(); ++k)
+      answer.capacities.push_back(
+          {name, up, k, capacity(grasp, grasp.loads()[k], up, question.safety, settings)});
+  return answer;
+}
+
+template <int Dim>
+AnswerTo<Dim> answer_to(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
+                        const Question& question) {
+  switch (question.command) {
+    case Command::check:
+      return {check(file, grasp)};
+    case Command::hold:
+      return {hold_in_posture(file, grasp, question)};
+    case Command::best:
+      return {best(file, grasp, question)};
+    case Command::curve:
+      if constexpr (Dim == 2)
+        return {curve(file, grasp, question)};
+      else
+        throw Misfit("curve", "is for the plane,", 3);
+    case Command::capacity:
+      return {capacities(file, grasp, question)};
+  }
+  throw std::logic_error("a command without an answer");
+}
+
+template <int Dim>
+NamedPosture<Dim> first_posture(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
+                                const Question& question) {
+  const auto [name, up] = postures(file, grasp, question, Which::first).front();
+  return {name, posture_at(grasp, up, {.force_cap = question.force_cap})};
+}
+
+}  // namespace
+
+AnswerTo<2> ask(const PlanarFile& file, const Grasp<2>& grasp, const Question& question) {
+  return answer_to<2>(file, grasp, question);
+}
+
+AnswerTo<3> ask(const SpatialFile& file, const Grasp<3>& grasp, const Question& question) {
+  return answer_to<3>(file, grasp, question);
+}
+
+template <int Dim>
+bool holdable(const AnswerTo<Dim>& answer) {
+  return std::visit(
+      Overloaded{[](const CheckAnswer<Dim>&) { return true; },
+                 [](const HoldAnswer<Dim>& hold) { return hold.posture.holdable(); },
+                 [](const BestAnswer<Dim>& best) { return best.best.holdable(); },
+                 [](const CurveAnswer& curve) { return !curve.curve.holdable.empty(); },
+                 [](const CapacityAnswer<Dim>& capacity) {
+                   std::map<std::string, bool> held;  // in which posture against all loads
+                   for (const CapacityAt<Dim>& each : capacity.capacities) {
+                     bool& all = held.try_emplace(each.posture, true).first->second;
+                     all = all && each.capacity.friction.factor <= 1;
+                   }
+                   return std::any_of(held.begin(), held.end(),
+                                      [](const auto& posture) { return posture.second; });
+                 }},
+      answer.of);
+}
+
+template bool holdable(const AnswerTo<2>&);
+template bool holdable(const AnswerTo<3>&);
+
+NamedPosture<2> posture_to_show(const PlanarFile& file, const Grasp<2>& grasp,
+                                const Question& question) {
+  return first_posture<2>(file, grasp, question);
+}
+
+NamedPosture<3> posture_to_show(const SpatialFile& file, const Grasp<3>& grasp,
+                                const Question& question) {
+  return first_posture<3>(file, grasp, question);
+}
+
+}  // namespace poise
