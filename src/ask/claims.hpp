@@ -84,7 +84,7 @@ struct HoldClaim {
   double angle_deg{0};                                    ///< in the plane
   std::optional<std::size_t> scenario{};                  ///< that decides, where there are several
   std::vector<std::optional<double>> scenario_efforts{};  ///< null: cannot be held
-  std::vector<std::optional<HoldClaim>> scenario_holds{};  ///< null: this one, or cannot be held
+  std::vector<std::optional<HoldClaim>> scenario_holds;  ///< null: this one, or cannot be held
   Twist<Dim> dual;
   double lower_bound{0};
   std::string reason{};  ///< where unholdable; then nothing of what follows

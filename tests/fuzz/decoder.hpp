@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "poise/contact.hpp"
+#include "poise/grasp.hpp"
 
 namespace poise {
 

@@ -10,58 +10,46 @@
 #include <vector>
 
 #include "decoder.hpp"
-#include "files/result.hpp"
-#include "poise/best_posture.hpp"
+#include "files/grasp_writer.hpp"
+#include "verify/verify.hpp"
 
 namespace poise {
 namespace {
 
-/// What a posture is asked for; printed where an answer is wrong.
-struct Question {
-  Load<2> object{};
-  std::vector<Contact<2>> contacts{};
-  double safety{1};
+/// What is asked.
+struct Task {
+  PlanarFile file{};
   CurveSettings settings{};
 };
 
-Question question(Decoder& decoder) {
-  Question q;
-  q.object = decoder.object<2>();
-  if (decoder.coin()) q.safety = 1 + decoder.positive();
-  q.settings.domain = decoder.coin() ? Domain::all : Domain::pinched;
-  if (decoder.coin()) q.settings.force_cap = std::min(1e9, 10 * decoder.positive());
-  q.contacts = decoder.contacts(q.object, 12, [&] { return up_at(decoder.angle()); });
-  return q;
-}
-
-/// The question as C++, to be pasted into a test.
-void print(const Question& q) {
-  std::fprintf(stderr, "Grasp<2> grasp({.weight = %.17g, .com = {%.17g, %.17g}}, {\n",
-               q.object.weight, q.object.com.x(), q.object.com.y());
-  for (const Contact<2>& c : q.contacts)
-    std::fprintf(
-        stderr,
-        "  {.position = {%.17g, %.17g}, .normal = {%.17g, %.17g}, .friction = %.17g,\n"
-        "   .min_normal = %.17g, .max_normal = %.17g, .share = %.17g, .finger = \"%s\"},\n",
-        c.position.x(), c.position.y(), c.normal.x(), c.normal.y(), c.friction, c.min_normal,
-        c.max_normal, c.share, c.finger.c_str());
-  std::fprintf(stderr, "}, %.17g);\nCurveSettings settings{Domain::%s, %.17g};\n", q.safety,
-               q.settings.domain == Domain::all ? "all" : "pinched", q.settings.force_cap);
+Task task(Decoder& decoder) {
+  Task task;
+  task.file.loads = {decoder.object<2>()};
+  if (decoder.coin()) task.file.safety = 1 + decoder.positive();
+  task.settings.domain = decoder.coin() ? Domain::all : Domain::pinched;
+  if (decoder.coin()) task.settings.force_cap = std::min(1e9, 10 * decoder.positive());
+  task.file.contacts =
+      decoder.contacts(task.file.loads[0], 12, [&] { return up_at(decoder.angle()); });
+  return task;
 }
 
 class Judge {
  public:
-  Judge(const Question& question, const Grasp<2>& grasp) : question_(question), grasp_(grasp) {}
+  /// @param moderate  whether no number is extreme: then the verifier confirms holds, too
+  Judge(const Task& task, const Grasp<2>& grasp, bool moderate)
+      : task_(task), grasp_(grasp), moderate_(moderate) {}
 
   void demand(bool right, const char* what, double at) const {
     if (right) return;
-    std::fprintf(stderr, "WRONG: %s, at %.17g\n", what, at);
-    print(question_);
+    std::fprintf(stderr, "WRONG: %s, at %.17g\n%s\ndomain: %s, force_cap: %.17g\n", what, at,
+                 grasp_document(task_.file).c_str(),
+                 task_.settings.domain == Domain::all ? "all" : "pinched",
+                 task_.settings.force_cap);
     std::abort();
   }
 
   void judge(const Hold<2>& hold, double at) const {
-    const double cap = question_.settings.force_cap * grasp_.weight();
+    const double cap = task_.settings.force_cap * grasp_.weight();
     demand(hold.dual.allFinite(), "hold: dual is finite", at);
     demand(std::isfinite(hold.lower_bound), "hold: lower_bound is finite", at);
     demand(std::isfinite(hold.effort) && hold.effort >= 0, "hold: effort is finite", at);
@@ -124,14 +112,21 @@ class Judge {
     }
   }
 
-  void judge(const BestPosture& best) const {
-    judge(best.curve);
-    demand(best.holdable() == !best.curve.arcs.empty(), "best: holdable", 0);
+  void judge(const Best<2>& best) const {
+    judge(best.proof.curve);
+    demand(best.holdable() == !best.proof.curve.arcs.empty(), "best: holdable", 0);
     demand(std::isfinite(best.lower_bound), "best: lower_bound is finite", 0);
-    for (const Minimum<2>& minimum : best.minima) judge(minimum.hold, minimum.optimum.angle);
+    for (const Minimum<2>& minimum : best.minima) judge(minimum.hold(), minimum.optimum.angle);
     if (best.holdable())
       demand(best.lower_bound <= best.minima.front().optimum.effort * (1 + 1e-3),
              "best: lower_bound is one", best.lower_bound);
+  }
+
+  void judge(const HoldAnswer<2>& answer) const {
+    judge(answer.posture.hold(), angle_of(answer.posture.up));
+    if (!moderate_) return;
+    const std::string refuted = refutations_text(verify::verify(grasp_, answer));
+    demand(refuted.empty(), refuted.c_str(), angle_of(answer.posture.up));
   }
 
   void judge(const std::string& document) const {
@@ -139,33 +134,33 @@ class Judge {
   }
 
  private:
-  const Question& question_;
+  const Task& task_;
   const Grasp<2>& grasp_;
+  bool moderate_;
 };
 
-void ask(const Question& q, const Grasp<2>& grasp, Decoder& decoder) {
-  const Judge judge(q, grasp);
-  const HoldSettings settings{q.settings.force_cap};
+void ask(const Task& task, const Grasp<2>& grasp, Decoder& decoder) {
+  const Judge judge(task, grasp, !decoder.extreme());
+  const HoldSettings settings{task.settings.force_cap};
+  const Load<2>& load = grasp.loads().front();
   Twist<2> y = Twist<2>::Zero();
   for (int k = 0; k < 4; ++k) {
-    const double theta = decoder.angle();
-    const Hold<2> cold = hold(grasp, up_at(theta), settings);
-    judge.judge(cold, theta);
-    if (k == 0) judge.judge(hold_document(grasp, theta, cold, settings));
-    const Hold<2> warm = hold(grasp, grasp.loads().front().at(up_at(theta)), y, settings);
-    judge.judge(warm, theta);
-    y = cold.dual;
+    const Vector<2> up = up_at(decoder.angle());
+    const HoldAnswer<2> cold{.settings = settings, .posture = posture_at<2>(grasp, up, settings)};
+    judge.judge(cold);
+    if (k == 0) judge.judge(document(grasp, cold));
+    judge.judge(hold(grasp, load.at(up), load.weight, y, settings), angle_of(up));
+    y = cold.posture.hold().dual;
   }
-  const PostureCurve curve = posture_curve(grasp, q.settings);
-  judge.judge(curve);
-  judge.judge(curve_document(grasp, curve, q.settings));
-  const Best<2> best = best_posture(grasp, q.settings);
-  judge.judge(best);
-  judge.judge(best_document(grasp, best, q.settings));
-  PlanarFile file;
-  file.object = q.object;
-  file.contacts = q.contacts;
-  judge.judge(check_document(file, grasp));
+  CurveAnswer curve{task.settings, posture_curve(grasp, task.settings)};
+  judge.judge(curve.curve);
+  for (const Optimum& optimum : curve.curve.optima)
+    curve.optima.push_back(minimum_at(grasp, optimum, task.settings));
+  judge.judge(document(grasp, curve));
+  const BestAnswer<2> best{task.settings, best_posture(grasp, task.settings)};
+  judge.judge(best.best);
+  judge.judge(document(grasp, best));
+  judge.judge(document(task.file, grasp, CheckAnswer<2>{force_closure(grasp), {}}));
 }
 
 }  // namespace
@@ -173,13 +168,13 @@ void ask(const Question& q, const Grasp<2>& grasp, Decoder& decoder) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   poise::Decoder decoder(data, size);
-  const poise::Question question = poise::question(decoder);
+  const poise::Task task = poise::task(decoder);
   std::optional<poise::Grasp<2>> grasp;
   try {
-    grasp.emplace(question.object, question.contacts, question.safety);
+    grasp.emplace(task.file.grasp());
   } catch (const poise::InvalidGrasp&) {
     return 0;
   }
-  poise::ask(question, *grasp, decoder);
+  poise::ask(task, *grasp, decoder);
   return 0;
 }

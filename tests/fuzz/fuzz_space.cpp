@@ -10,8 +10,7 @@
 
 #include "decoder.hpp"
 #include "files/grasp_writer.hpp"
-#include "files/result.hpp"
-#include "files/spatial.hpp"
+#include "poise/turn.hpp"
 #include "verify/verify.hpp"
 
 namespace poise {
@@ -25,9 +24,9 @@ Vector<3> direction(Decoder& decoder) {
 
 SpatialFile question(Decoder& decoder) {
   SpatialFile file;
-  file.scenarios = {decoder.object<3>()};
-  if (decoder.one_in(4)) file.scenarios.push_back(decoder.object<3>());
-  file.contacts = decoder.contacts(file.scenarios[0], 12, [&] { return direction(decoder); });
+  file.loads = {decoder.object<3>()};
+  if (decoder.one_in(4)) file.loads.push_back(decoder.object<3>());
+  file.contacts = decoder.contacts(file.loads[0], 12, [&] { return direction(decoder); });
   for (Contact<3>& c : file.contacts)
     if (c.friction > 0 && decoder.one_in(3)) c.torsion = decoder.positive();
   if (decoder.one_in(4)) file.safety = 1 + decoder.positive();
@@ -48,12 +47,12 @@ class Judge {
   /// The greatest effort [N^2]; infinite where weights are too large for squares.
   double squared(double force_cap) const {
     double heaviest = 0;
-    for (const Load<3>& object : file_.scenarios) heaviest = std::max(heaviest, object.weight);
+    for (const Load<3>& object : file_.loads) heaviest = std::max(heaviest, object.weight);
     return force_cap * heaviest * (force_cap * heaviest);
   }
 
-  void judge(const Minimum<3>& posture, double force_cap) const {
-    const Hold<3>& hold = posture.hold;
+  void judge(const Posture<3>& posture, double force_cap) const {
+    const Hold<3>& hold = posture.hold();
     demand(std::abs(posture.up.norm() - 1) <= 1e-9, "up is a unit vector");
     demand(hold.dual.allFinite(), "hold: dual is finite");
     demand(std::isfinite(hold.lower_bound), "hold: lower_bound is finite");
@@ -71,14 +70,12 @@ class Judge {
     }
   }
 
-  void judge(const std::string& document) const {
-    demand(nlohmann::json::accept(document), "the document is JSON");
+  /// The document, and the answer itself.
+  void judge(const Grasp<3>& grasp, const auto& answer) const {
+    demand(nlohmann::json::accept(document(grasp, answer)), "the document is JSON");
     if (!moderate_) return;
-    const verify::Claims claims =
-        verify::verify(file_, parse_json(document, "result.json", max_result));
-    for (const verify::Refutation& each : claims.refutations())
-      demand(false, each.path + ": " + each.words + ": " + std::to_string(double(each.off)) +
-                        " of " + std::to_string(double(each.allowed)));
+    const std::string refuted = refutations_text(verify::verify(grasp, answer));
+    demand(refuted.empty(), refuted);
   }
 
  private:
@@ -93,27 +90,28 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace poise;
   Decoder decoder(data, size);
   const SpatialFile file = question(decoder);
-  std::vector<Grasp<3>> grasps;
+  std::optional<Grasp<3>> grasp;
   try {
-    grasps = file.grasps();
+    grasp.emplace(file.grasp());
   } catch (const InvalidGrasp&) {
     return 0;
   }
   const Judge judge(file, !decoder.extreme());
   for (int k = 0; k < 2; ++k) {
-    const Minimum<3> held = hold_all(grasps, direction(decoder));
-    judge.judge(held, HoldSettings{}.force_cap);
-    judge.judge(hold_document(grasps, held, {}));
+    const HoldAnswer<3> held{.posture = posture_at(*grasp, direction(decoder))};
+    judge.judge(held.posture, held.settings.force_cap);
+    judge.judge(*grasp, held);
   }
   SpatialSettings settings;
   settings.max_holds = 100;
   settings.starts = decoder.one_in(4) ? 8 : 0;
   settings.tilt = file.tilt;
-  const Best<3> best = best_posture(grasps, settings);
-  judge.demand(std::isfinite(best.lower_bound) || !std::isfinite(judge.squared(settings.force_cap)),
-               "best: lower_bound is finite");
-  if (best.holdable()) judge.judge(best.best(), settings.force_cap);
-  for (const Minimum<3>& minimum : best.minima) judge.judge(minimum, settings.force_cap);
-  judge.judge(best_document(grasps, best, settings, orientation_of(direction(decoder))));
+  BestAnswer<3> answer{settings, best_posture(*grasp, settings)};
+  answer.orientation = orientation_of(direction(decoder));
+  judge.demand(
+      std::isfinite(answer.best.lower_bound) || !std::isfinite(judge.squared(settings.force_cap)),
+      "best: lower_bound is finite");
+  for (const Minimum<3>& minimum : answer.best.minima) judge.judge(minimum, settings.force_cap);
+  judge.judge(*grasp, answer);
   return 0;
 }
