@@ -1,7 +1,6 @@
 #include "plane/arc.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <type_traits>
 
 #include "dual/twist.hpp"
@@ -9,13 +8,32 @@
 namespace poise {
 namespace {
 
-using std::numbers::pi;
-
 /// A few units in the last place of 1; what is as good as singular.
 template <class T>
 constexpr double rounding_of = std::is_same_v<T, double> ? 4e-15 : 1e-30;
 template <class T>
 constexpr double singular = std::is_same_v<T, double> ? 1e-6 : 1e-28;
+/// A turn about the com is felt by no contact where this is all that it adds.
+constexpr double unfelt = 1e-26;
+/// Of the largest force, and of the largest part of y: what rounding may make of 0.
+constexpr double rounding_of_faces = 1e-12;
+
+/// By Cramer's rule, from the upper triangle. False: M is as good as singular.
+template <class T>
+bool invert(const dual::Square<2, T>& M, dual::Square<2, T>& inverse) {
+  inverse << M(1, 1) * M(2, 2) - M(1, 2) * M(1, 2), M(0, 2) * M(1, 2) - M(0, 1) * M(2, 2),
+      M(0, 1) * M(1, 2) - M(0, 2) * M(1, 1), T(0), M(0, 0) * M(2, 2) - M(0, 2) * M(0, 2),
+      M(0, 1) * M(0, 2) - M(0, 0) * M(1, 2), T(0), T(0), M(0, 0) * M(1, 1) - M(0, 1) * M(0, 1);
+  const T determinant = M(0, 0) * inverse(0, 0) + M(0, 1) * inverse(0, 1) + M(0, 2) * inverse(0, 2);
+  const T upright = M(0, 0) * M(1, 1), plane = inverse(2, 2);
+  if (!(plane > singular<T> * upright) || !(determinant > singular<T> * plane * M(2, 2)))
+    return false;
+  inverse(1, 0) = inverse(0, 1);
+  inverse(2, 0) = inverse(0, 2);
+  inverse(2, 1) = inverse(1, 2);
+  inverse *= 1 / determinant;
+  return true;
+}
 
 }  // namespace
 
@@ -26,30 +44,6 @@ LoadCurve load_curve(const ScaledHand<2>& hand, double weight, const Load<2>& lo
       scaled_load<2>(hand, weight, turning, Vector<2>::UnitY()),
       scaled_load<2>(hand, weight, turning, Vector<2>::UnitX());
   return curve;
-}
-
-Reach::Reach(double theta) : at(theta), cosine(std::cos(theta)), sine(std::sin(theta)) {}
-
-void Reach::keep(const Eigen::RowVector3d& g, double rounding) {
-  const double least_g = g[0] + rounding;
-  if (least_g >= 0 && least_g * least_g >= g[1] * g[1] + g[2] * g[2]) return;
-  const double along = g[1] * cosine + g[2] * sine, half = g[2] * cosine - g[1] * sine;
-  const double here = std::max(g[0] + along, 0.0), far = g[0] - along;
-  // here + 2 half t + far t^2 = 0
-  const double square = half * half - here * far;
-  if (square < 0) return;
-  const double sum = -(half + std::copysign(std::sqrt(square), half));
-  const double one = sum / far, other = here / sum;
-  for (const double t : {one, other}) {
-    if (t > 0) most = std::min(most, t);
-    if (t < 0) least = std::max(least, t);
-  }
-  if (here == 0) (half > 0 ? least : most) = 0;  // but for rounding, only one side is open
-}
-
-void Reach::stop(double angle) {
-  const double t = std::tan(std::remainder(angle - at, 2 * pi) / 2);
-  (t < 0 ? least : most) = t < 0 ? std::max(least, t) : std::min(most, t);
 }
 
 template <class T>
@@ -71,8 +65,6 @@ ArcSolver<T>::ArcSolver(const Cones<2, T>& cones, const LoadCurve& load)
 
 template <class T>
 bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc) {
-  using std::abs;
-  using std::sqrt;
   dual::Square<2, T> M = dual::Square<2, T>::Zero();
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     Contact& contact = contacts_[i];
@@ -80,24 +72,14 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
     M += contact.G * contact.face.P * contact.G.transpose();
   }
   // A turn about the com that no contact feels has no say in the forces (2 x 2 is left of M).
-  const bool free_turn = M(2, 2) <= 1e-26 * M.trace();
+  const bool free_turn = M(2, 2) <= unfelt * M.trace();
   if (free_turn) {
     M.row(2).setZero();
     M.col(2).setZero();
     M(2, 2) = M.trace();
   }
-  dual::Square<2, T> inverse;  // by Cramer's rule
-  inverse << M(1, 1) * M(2, 2) - M(1, 2) * M(1, 2), M(0, 2) * M(1, 2) - M(0, 1) * M(2, 2),
-      M(0, 1) * M(1, 2) - M(0, 2) * M(1, 1), T(0), M(0, 0) * M(2, 2) - M(0, 2) * M(0, 2),
-      M(0, 1) * M(0, 2) - M(0, 0) * M(1, 2), T(0), T(0), M(0, 0) * M(1, 1) - M(0, 1) * M(0, 1);
-  const T determinant = M(0, 0) * inverse(0, 0) + M(0, 1) * inverse(0, 1) + M(0, 2) * inverse(0, 2);
-  const T upright = M(0, 0) * M(1, 1), plane = inverse(2, 2);
-  if (!(plane > singular<T> * upright) || !(determinant > singular<T> * plane * M(2, 2)))
-    return false;
-  inverse(1, 0) = inverse(0, 1);
-  inverse(2, 0) = inverse(0, 2);
-  inverse(2, 1) = inverse(1, 2);
-  inverse *= 1 / determinant;
+  dual::Square<2, T> inverse;
+  if (!invert(M, inverse)) return false;
 
   // Of the constant, which is 0 without force limits, and of cos theta and sin theta.
   Affine<3> Y = Affine<3>::Zero();
@@ -122,28 +104,36 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
     for (Contact& contact : contacts_) contact.Z = contact.G.transpose() * Y;
   }
 
-  const double rounding_f = 1e-12 * static_cast<double>(largest_force);
-  const double rounding_y = 1e-12 * static_cast<double>(Y.cwiseAbs().maxCoeff());
-  arc.V = {};
-  for (const Contact& contact : contacts_) {
-    for_each_condition(contact, [&](const Row& g, bool of_force) {
-      reach.keep(g.template cast<double>(), of_force ? rounding_f : rounding_y);
+  const T largest_y = Y.cwiseAbs().maxCoeff();
+  for (const Contact& contact : contacts_)
+    for_each_condition(contact, [&](const Row& g, Of of) {
+      const T& largest = of == Of::force ? largest_force : largest_y;
+      reach.keep(g.template cast<double>(), rounding_of_faces * static_cast<double>(largest));
     });
-    const Eigen::Matrix<double, 2, 3> F = contact.F.template cast<double>();
-    const auto product = [&](int j, int k) { return F.col(j).dot(F.col(k)); };
-    const double cos_cos = product(1, 1), sin_sin = product(2, 2);
-    arc.V.c0 += (cos_cos + sin_sin) / 2;
-    arc.V.cos2 += (cos_cos - sin_sin) / 2;
-    arc.V.sin2 += product(1, 2);
-    if (!limited_) continue;
-    arc.V.c0 += product(0, 0);
-    arc.V.cos1 += 2 * product(0, 1);
-    arc.V.sin1 += 2 * product(0, 2);
-  }
+  arc.V = effort();
   for (int k = 0; k < 3; ++k)
     arc.y[static_cast<std::size_t>(k)] = {
         static_cast<double>(Y(k, 0)), static_cast<double>(Y(k, 1)), static_cast<double>(Y(k, 2))};
   return true;
+}
+
+/// Of the arc, from its forces [weights^2].
+template <class T>
+Harmonic2 ArcSolver<T>::effort() const {
+  Harmonic2 V;
+  for (const Contact& contact : contacts_) {
+    const Eigen::Matrix<double, 2, 3> F = contact.F.template cast<double>();
+    const auto product = [&](int j, int k) { return F.col(j).dot(F.col(k)); };
+    const double cos_cos = product(1, 1), sin_sin = product(2, 2);
+    V.c0 += (cos_cos + sin_sin) / 2;
+    V.cos2 += (cos_cos - sin_sin) / 2;
+    V.sin2 += product(1, 2);
+    if (!limited_) continue;
+    V.c0 += product(0, 0);
+    V.cos1 += 2 * product(0, 1);
+    V.sin1 += 2 * product(0, 2);
+  }
+  return V;
 }
 
 /// Balances `load`, of which `residual` is left, by the columns of y and of the forces from First
@@ -173,7 +163,7 @@ void ArcSolver<T>::balance(const dual::Square<2, T>& inverse,
   }
 }
 
-/// Calls f(g, of_force) for each g(theta) >= 0 that keeps a contact on its face: that the force
+/// Calls f(g, of) for each g(theta) >= 0 that keeps a contact on its face: that the force
 /// stays on it, and that z stays over it.
 template <class T>
 template <class Function>
@@ -184,18 +174,18 @@ void ArcSolver<T>::for_each_condition(const Contact& contact, const Function& f)
   const Row n = F.row(0), t = F.row(1), zn = Z.row(0), side = T(face.sign) * Z.row(1);
   const Row along = face.edge ? Row((zn + mu * side) * edge) : zn;
   if (face.edge && face.at_lo && lo == 0) {  // the apex
-    f(-along, false);
-    if (mu > 0) f(mu * side - zn, false);
+    f(-along, Of::motion);
+    if (mu > 0) f(mu * side - zn, Of::motion);
     return;
   }
-  if (face.at_lo) f(constant(lo) - along, false);
-  if (face.at_hi) f(along - constant(hi), false);
-  if (free && (face.edge || lo > 0)) f(n - constant(lo), true);
-  if (free && hi < std::numeric_limits<double>::max()) f(constant(hi) - n, true);
-  if (face.edge && mu > 0) f(side - mu * (free ? zn : n), false);
+  if (face.at_lo) f(constant(lo) - along, Of::motion);
+  if (face.at_hi) f(along - constant(hi), Of::motion);
+  if (free && (face.edge || lo > 0)) f(n - constant(lo), Of::force);
+  if (free && hi < std::numeric_limits<double>::max()) f(constant(hi) - n, Of::force);
+  if (face.edge && mu > 0) f(side - mu * (free ? zn : n), Of::motion);
   if (!face.edge) {
-    f(mu * n - t, true);
-    f(mu * n + t, true);
+    f(mu * n - t, Of::force);
+    f(mu * n + t, Of::force);
   }
 }
 
@@ -210,16 +200,16 @@ typename ArcSolver<T>::Row ArcSolver<T>::turn_at(const Reach& reach, const Affin
   T least = -std::numeric_limits<double>::infinity(), most = -least;
   Row at_least = Row::Zero(), at_most = Row::Zero();
   for (const Contact& contact : contacts_) {
-    std::vector<Row> base, both;  // conditions at angular velocity 0 and 1
-    Contact with = contact;
-    with.Z = contact.G.transpose() * still;
-    for_each_condition(with, [&](const Row& g, bool of_force) {
-      if (!of_force) base.push_back(g);
-    });
-    with.Z = contact.G.transpose() * turning;
-    for_each_condition(with, [&](const Row& g, bool of_force) {
-      if (!of_force) both.push_back(g);
-    });
+    const auto conditions = [&](const Affine<3>& twist) {
+      Contact moved = contact;
+      moved.Z = contact.G.transpose() * twist;
+      std::vector<Row> all;
+      for_each_condition(moved, [&](const Row& g, Of of) {
+        if (of == Of::motion) all.push_back(g);
+      });
+      return all;
+    };
+    const std::vector<Row> base = conditions(still), both = conditions(turning);
     for (std::size_t k = 0; k < base.size(); ++k) {
       const T rate = both[k][0] - base[k][0];
       using std::abs;

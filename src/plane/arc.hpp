@@ -2,11 +2,9 @@
 // installed.
 #pragma once
 
-#include <limits>
-#include <vector>
-
 #include "dual/cone_plane.hpp"
 #include "dual/dual.hpp"
+#include "plane/reach.hpp"
 #include "poise/posture_curve.hpp"
 
 namespace poise {
@@ -15,23 +13,6 @@ namespace poise {
 /// sin theta), one row for each component.
 using LoadCurve = Eigen::Matrix3d;
 LoadCurve load_curve(const ScaledHand<2>& hand, double weight, const Load<2>& load);
-
-/// g(theta) = a + b cos theta + c sin theta around a posture where it is not negative: how far it
-/// stays so on either side, as t = tan(turn / 2).
-struct Reach {
-  explicit Reach(double theta);
-
-  /// Keeps to where g >= 0. What is nowhere negative but for rounding is no constraint.
-  void keep(const Eigen::RowVector3d& g, double rounding);
-  /// Keeps to this side of a posture.
-  void stop(double angle);
-  double from() const { return at + 2 * std::atan(least); }
-  double to() const { return at + 2 * std::atan(most); }
-
-  double at, cosine, sine;
-  double least{-std::numeric_limits<double>::infinity()};
-  double most{std::numeric_limits<double>::infinity()};
-};
 
 /// Solves for arcs, in numbers of type T.
 template <class T>
@@ -59,10 +40,12 @@ class ArcSolver {
     Affine<2> F, Z;  ///< its force, and G^T y
   };
 
+  Harmonic2 effort() const;
   template <int First, int Columns>
   void balance(const dual::Square<2, T>& inverse, const Eigen::Matrix<T, 3, Columns>& load,
                Eigen::Matrix<T, 3, Columns> residual, bool free_turn, Affine<3>& Y,
                T& largest_force);
+  enum class Of { force, motion };  ///< what a condition is of
   template <class Function>
   static void for_each_condition(const Contact& contact, const Function& f);
   Row turn_at(const Reach& reach, const Affine<3>& Y) const;

@@ -5,14 +5,19 @@
 #include <numbers>
 
 #include "dual/dual.hpp"
+#include "dual/twist.hpp"
 #include "plane/arc.hpp"
 #include "plane/harmonic.hpp"
-#include "dual/twist.hpp"
 
 namespace poise {
 namespace {
 
 using std::numbers::pi;
+
+/// Edges of friction cones at a smaller sine are parallel.
+constexpr double parallel = 1e-9;
+/// The part of the effort that rounding may hide of its proof.
+constexpr double most_rounding = 1e-6;
 
 /// Where the edges meet on which two contacts press; none if they are parallel.
 std::optional<Vector<2>> meeting_point(const Grasp<2>& grasp, const Hold<2>& hold,
@@ -29,7 +34,7 @@ std::optional<Vector<2>> meeting_point(const Grasp<2>& grasp, const Hold<2>& hol
     return a.x() * b.y() - a.y() * b.x();
   };
   const double sine = cross(edge[0], edge[1]);
-  if (std::abs(sine) < 1e-9) return std::nullopt;
+  if (std::abs(sine) < parallel) return std::nullopt;
   return at[0] + cross(at[1] - at[0], edge[1]) / sine * edge[0];
 }
 
@@ -48,12 +53,12 @@ double proven_between(const dual::Problem<2>& problem, const LoadCurve& load, co
   // A sinusoid is least at its trough, if that is in between.
   const Eigen::RowVector3d drive = y.transpose() * load;
   const double trough = std::atan2(-drive[2], -drive[1]);
-  const double beside = std::abs(std::remainder(trough - (from + to) / 2, 2 * pi));
-  return 2 * beside < to - from ? std::min(least, at(trough)) : least;
+  const double from_middle = std::abs(std::remainder(trough - (from + to) / 2, 2 * pi));
+  return 2 * from_middle < to - from ? std::min(least, at(trough)) : least;
 }
 
 /// The least that the arcs' own y prove, and those of the postures that rounding left undecided.
-double lower_bound(const Grasp<2>& grasp, const PostureCurve& curve, double force_cap) {
+double proven_effort(const Grasp<2>& grasp, const PostureCurve& curve, double force_cap) {
   const dual::Problem<2> problem(grasp.scaled(), grasp.weight());
   const LoadCurve load = load_curve(problem.hand, problem.weight, grasp.loads().front());
   const auto proven = [&](const Twist<2>& y, double from, double to) {
@@ -128,7 +133,7 @@ Best<2> best_posture(const Grasp<2>& grasp, const CurveSettings& settings) {
     if (!best.pinched && pinched && optimum.kind != Kind::boundary)
       best.pinched = best.minima.size() - 1;
   }
-  best.lower_bound = lower_bound(grasp, curve, settings.force_cap);
+  best.lower_bound = proven_effort(grasp, curve, settings.force_cap);
   if (!best.holdable()) {
     best.status = curve.undecided.empty() ? Status::unholdable : Status::gap;
     return best;
@@ -136,8 +141,7 @@ Best<2> best_posture(const Grasp<2>& grasp, const CurveSettings& settings) {
   const double effort = best.best().hold().effort;
   best.lower_bound = std::min(best.lower_bound, effort);
   best.relative_gap = (effort - best.lower_bound) / effort;
-  // Rounding alone hides what is there.
-  best.status = best.lower_bound >= (1 - 1e-6) * effort ? Status::optimal : Status::gap;
+  best.status = best.lower_bound >= (1 - most_rounding) * effort ? Status::optimal : Status::gap;
   return best;
 }
 

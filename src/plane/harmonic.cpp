@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace poise {
@@ -48,7 +49,7 @@ std::vector<Root> sign_changes(const Polynomial& p, double from, double to) {
 Harmonic2 derivative(const Harmonic2& g) { return {0, g.sin1, -g.cos1, 2 * g.sin2, -2 * g.cos2}; }
 
 Roots sign_changes(const Harmonic2& g, double from, double to) {
-  constexpr double half_pi = 1.5707963267948966;
+  constexpr double half_pi = std::numbers::pi / 2;
   Roots roots;
   if (g.c0 == 0 && g.cos1 == 0 && g.sin1 == 0) {  // cos(2 theta - psi) = 0
     if (g.cos2 == 0 && g.sin2 == 0) return roots;
@@ -59,9 +60,8 @@ Roots sign_changes(const Harmonic2& g, double from, double to) {
       if (first + k * half_pi > from) roots.push_back({first + k * half_pi, rising});
     return roots;
   }
-  // Off the middle, where symmetric curves have their roots.
-  const double middle = from + 0.4871 * (to - from);
-  if (to - from > 3) {
+  const double middle = from + off_middle * (to - from);
+  if (to - from > 3) {  // tan below would be too large
     roots = sign_changes(g, from, middle);
     for (const Root& root : sign_changes(g, middle, to)) roots.push_back(root);
     return roots;

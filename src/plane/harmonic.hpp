@@ -17,7 +17,10 @@ struct Root {
   bool rising;
 };
 
-/// At most 4 in a turn, one more where it was cut in two.
+/// Where to cut an interval in two: off its middle, where symmetric curves have kinks and roots.
+inline constexpr double off_middle = 0.4871;
+
+/// At most 4 in each of the at most 3 parts into which a turn is cut.
 class Roots {
  public:
   void push_back(const Root& root) { roots_[count_++] = root; }
@@ -25,7 +28,7 @@ class Roots {
   const Root* end() const { return roots_.data() + count_; }
 
  private:
-  std::array<Root, 10> roots_;
+  std::array<Root, 12> roots_;
   std::size_t count_{0};
 };
 

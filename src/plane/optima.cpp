@@ -2,13 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "plane/harmonic.hpp"
 
 namespace poise {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
+
+/// An optimum this close to an end of its arc [rad] is at the end.
+constexpr double near_end = 1e-9;
+/// Longer intervals of optima [rad] are stretches of equal V.
+constexpr double stretch = 1e-8;
+/// Efforts that differ by less are equal, and so are angles [rad].
+constexpr double tie = 1e-9;
+/// Parts of the coefficients of V below which rounding hides what its slope does, and its jumps.
+constexpr double flat_slope = 1e-13, rounded_jump = 1e-14;
 
 /// A part of an arc on which V rises, falls, or does neither.
 struct Segment {
@@ -23,14 +33,13 @@ double scale(const Harmonic2& V) {
 
 /// Splits an arc, moved by `turn`, where its slope changes sign.
 void split(const Arc& arc, double turn, std::vector<Segment>& segments) {
-  constexpr double near = 1e-9;  // an optimum this close to an end of the arc is at the end
-  const double flat = 1e-13 * scale(arc.V);
+  const double flat = flat_slope * scale(arc.V);
   const Harmonic2 slope = derivative(arc.V);
   double from = arc.from;
   int trend = 0;
   if (scale(slope) > flat) {
     for (const Root& root : sign_changes(slope, arc.from, arc.to)) {
-      if (!(root.at - arc.from > near && arc.to - root.at > near)) continue;
+      if (!(root.at - arc.from > near_end && arc.to - root.at > near_end)) continue;
       trend = root.rising ? 1 : -1;
       segments.push_back({from + turn, root.at + turn, -trend, &arc.V});
       from = root.at;
@@ -61,22 +70,22 @@ Optimum between(const Segment* before, const Segment* flat, const Segment* after
   optimum.angle = optimum.from = optimum.to = wrapped(middle);
   const double c = std::cos(middle), s = std::sin(middle);
   optimum.effort = (flat ? flat : after ? after : before)->V->at(c, s);
-  if (to - from > 1e-8) {  // a stretch of equal V
+  if (to - from > stretch) {
     const double turns = 2 * pi * std::floor((from + pi) / (2 * pi));
     optimum.from = from - turns;
     optimum.to = to - turns;
   } else if (before && after && before->V != after->V && !boundary) {
     const double corner = after->V->slope_at(c, s) - before->V->slope_at(c, s);
-    const double rounding = 1e-14 * std::max(scale(*before->V), scale(*after->V));
-    if (corner > std::max(1e-9 * optimum.effort, rounding)) optimum.kind = Kind::kink;
+    const double rounding = rounded_jump * std::max(scale(*before->V), scale(*after->V));
+    if (corner > std::max(tie * optimum.effort, rounding)) optimum.kind = Kind::kink;
   }
   return optimum;
 }
 
 /// Walks along the segments of one holdable interval, or once around the circle.
 void find(const std::vector<Segment>& segments, bool circle, std::vector<Optimum>& found) {
-  const Segment *before = nullptr,
-                *flat = nullptr;  // the last that rises or falls; the next flat one
+  const Segment* before = nullptr;  // the last that rises or falls
+  const Segment* flat = nullptr;    // the next flat one
   double from = segments.front().from;
   for (const Segment& segment : segments) {
     if (segment.trend == 0) {
@@ -103,9 +112,9 @@ void find(const std::vector<Segment>& segments, bool circle, std::vector<Optimum
 
 bool better(const Optimum& a, const Optimum& b) {
   if (a.maximum != b.maximum) return b.maximum;
-  const double tie = 1e-9 * std::max(std::abs(a.effort), std::abs(b.effort));
-  if (std::abs(a.effort - b.effort) > tie) return (a.effort < b.effort) != a.maximum;
-  if (std::abs(std::abs(a.angle) - std::abs(b.angle)) > 1e-9)
+  const double most = std::max(std::abs(a.effort), std::abs(b.effort));
+  if (std::abs(a.effort - b.effort) > tie * most) return (a.effort < b.effort) != a.maximum;
+  if (std::abs(std::abs(a.angle) - std::abs(b.angle)) > tie)
     return std::abs(a.angle) < std::abs(b.angle);
   return a.angle > b.angle;
 }
@@ -124,20 +133,15 @@ std::vector<Optimum> optima(const PostureCurve& curve) {
         const bool inside = arc.from + turn >= interval.from && arc.to + turn <= interval.to;
         if (circle ? turn == 0 : inside) split(arc, turn, segments);
       }
-    if (circle) {  // start at a segment that rises or falls, and come back to it
-      const auto start = std::find_if(segments.begin(), segments.end(),
-                                      [](const Segment& s) { return s.trend != 0; });
-      if (start != segments.end()) {
-        for (auto s = segments.begin(); s != start; ++s) {
-          s->from += 2 * pi;
-          s->to += 2 * pi;
-        }
-        std::rotate(segments.begin(), start, segments.end());
-        Segment again = segments.front();
-        again.from += 2 * pi;
-        again.to += 2 * pi;
-        segments.push_back(again);
-      }
+    const auto start = std::find_if(segments.begin(), segments.end(),
+                                    [](const Segment& s) { return s.trend != 0; });
+    if (circle && start != segments.end()) {  // start there, and come back to it
+      const auto turned = [](Segment s) {
+        return Segment{s.from + 2 * pi, s.to + 2 * pi, s.trend, s.V};
+      };
+      std::transform(segments.begin(), start, segments.begin(), turned);
+      std::rotate(segments.begin(), start, segments.end());
+      segments.push_back(turned(segments.front()));
     }
     find(segments, circle, found);
   }

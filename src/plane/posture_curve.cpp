@@ -1,339 +1,152 @@
 #include "poise/posture_curve.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <numbers>
-#include <optional>
 
-#include "plane/arc.hpp"
-#include "dual/dual.hpp"
-#include "plane/harmonic.hpp"
 #include "plane/optima.hpp"
-#include "dual/twist.hpp"
+#include "plane/tracer.hpp"
 
 namespace poise {
 namespace {
 
 using std::numbers::pi;
 
-/// Postures closer than this [rad] are one: below it lies the rounding of where arcs end.
-constexpr double same_angle = 1e-11;
-/// Within this [rad] of the limit of holding, rounding may decide: no piece need be found there.
-constexpr double undecided = 1e-8;
+bool is_circle(const PostureCurve& curve) { return curve.domain.to - curve.domain.from >= 2 * pi; }
 
-class Tracer {
- public:
-  Tracer(const Grasp<2>& grasp, const CurveSettings& settings)
-      : grasp_(grasp),
-        problem_(grasp.scaled(), grasp.weight()),
-        load_(load_curve(problem_.hand, problem_.weight, grasp.loads().front())),
-        cap_(settings.force_cap),
-        point_(problem_.size),
-        solver_(problem_, load_) {
-    curve_.domain = domain_interval(grasp, settings.domain);
-    curve_.arcs.reserve(8);
-    curve_.states.reserve(8 * problem_.size);
+/// By where they begin; of a circle within one turn from its start.
+template <class Piece>
+void order(const PostureCurve& curve, std::vector<Piece>& pieces) {
+  const double start = curve.domain.from;
+  for (Piece& piece : pieces) {
+    const double turns =
+        is_circle(curve) ? 2 * pi * std::floor((piece.from - start) / (2 * pi)) : 0;
+    piece.from -= turns;
+    piece.to -= turns;
   }
+  std::sort(pieces.begin(), pieces.end(),
+            [](const Piece& a, const Piece& b) { return a.from < b.from; });
+}
 
-  PostureCurve trace() {
-    const Interval& domain = curve_.domain;
-    if (domain.to - domain.from < 2 * pi) {
-      cover(domain.from, domain.to);
-    } else {  // start with the piece around some posture, and go on from its end to its start
-      const Interval first = piece_at(0.1, 0.1 - pi, 0.1 + pi);
-      cover(first.to, first.from + 2 * pi);
-    }
-    put_in_order();
-    return std::move(curve_);
-  }
+/// A posture that holds although its neighbours do not.
+bool add_point(const Grasp<2>& grasp, double force_cap, double at, PostureCurve& curve) {
+  const Hold<2> held = hold(grasp, up_at(at), {force_cap});
+  if (!held.holdable) return false;
+  Arc arc;
+  arc.from = arc.to = at;
+  arc.V.c0 = held.effort;
+  for (std::size_t k = 0; k < 3; ++k) arc.y[k].c0 = held.dual[static_cast<int>(k)];
+  arc.first_state = curve.states.size();
+  for (const ContactForce<2>& force : held.forces)
+    curve.states.push_back({force.state, force.limit});
+  curve.arcs.push_back(arc);
+  return true;
+}
 
- private:
-  /// Fills an interval with pieces. Each covers the posture at which it is asked for, so that they
-  /// end; the posture is off the middle, since symmetric grasps have their kinks there.
-  void cover(double from, double to) {
-    std::vector<Interval> open;
-    open.reserve(16);
-    open.push_back({from, to});
-    // There are about 4 arcs for each contact; at the limit of holding, where rounding decides,
-    // there may be no end of them.
-    std::size_t probes = 64 * (problem_.size + 16), fruitless = 200;
-    while (!open.empty() && probes-- > 0) {
-      const auto [lo, hi] = open.back();
-      open.pop_back();
-      if (hi - lo <= same_angle) continue;
-      const Interval piece = piece_at(lo + 0.4871 * (hi - lo), lo, hi);
-      const bool found = piece.to - piece.from > undecided;
-      if (!found && (hi - lo < undecided || fruitless == 0)) continue;
-      if (!found) --fruitless;
-      open.push_back({lo, piece.from});
-      open.push_back({piece.to, hi});
+/// Single postures hold, if any, where unholdable arcs meet or the domain ends.
+void add_points(const Grasp<2>& grasp, double force_cap, PostureCurve& curve) {
+  const auto add = [&](double at) { return add_point(grasp, force_cap, at, curve); };
+  const std::vector<UnholdableArc>& gaps = curve.unholdable_arcs;
+  const bool circle = is_circle(curve);
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    const bool last = i + 1 == gaps.size();
+    if (!circle && gaps[i].from - curve.domain.from <= same_angle) add(curve.domain.from);
+    const double next = !last ? gaps[i + 1].from : circle ? gaps[0].from + 2 * pi : curve.domain.to;
+    if (next - gaps[i].to > undecidable) continue;
+    if (last && !circle) {
+      add(curve.domain.to);
+    } else if (!add(gaps[i].to) && next != gaps[i].to) {
+      add(next);
     }
   }
+}
 
-  /// Adds the arc or unholdable arc around a posture, as far as it goes within lo, hi.
-  Interval piece_at(double at, double lo, double hi) {
-    Reach reach(at);
-    const Wrench<2> w = load_ * Vector<3>(1, reach.cosine, reach.sine);
-    const bool holdable =
-        dual::maximise<2>(problem_, w, dual::cold_start(problem_, w), cap_, point_);
-    if (!holdable) {
-      if (!(dual::lower_bound(point_) > cap_ * cap_)) return {at, at};
-      unholdable_reach(w, reach);
-      const Interval piece = within(reach, lo, hi);
-      curve_.unholdable_arcs.push_back({piece.from, piece.to, about_origin(problem_.hand, problem_.weight, point_.y)});
-      return piece;
-    }
-    Arc& arc = curve_.arcs.emplace_back();
-    Interval piece{at, at};
-    if (arc_at(w, reach, arc)) piece = within(reach, lo, hi);
-    if (piece.to > piece.from) {
-      arc.from = piece.from;
-      arc.to = piece.to;
-    } else {
-      curve_.states.resize(arc.first_state);
-      curve_.arcs.pop_back();
-    }
-    return piece;
-  }
-
-  static Interval within(const Reach& reach, double lo, double hi) {
-    return {std::max(lo, reach.from()), std::min(hi, reach.to())};
-  }
-
-  /// Around a posture where point_.y proves that nothing holds: where else it does.
-  void unholdable_reach(const Wrench<2>& w, Reach& reach) {
-    double limits = 0;
-    bool ray = make_ray(limits);
-    if (!ray) {  // in truth, or by rounding
-      const dual::Point<2> narrow = point_;
-      dual::decide<2>(in_wide_numbers().cones, w, cap_, wide_->point);
-      dual::evaluate<2, double>(problem_, w, wide_->point.y.cast<double>(), point_);
-      if (!(dual::lower_bound(point_) > cap_ * cap_)) point_ = narrow;
-      ray = make_ray(limits);
-    }
-    const Twist<2>& y = point_.y;
-    const double bound = dual::lower_bound(point_) - (1 + 1e-6) * cap_ * cap_;
-    const Eigen::RowVector3d drive = y.transpose() * load_;  // y . w(theta)
-    const double here = drive.dot(Eigen::RowVector3d(0, reach.cosine, reach.sine));
-    const Eigen::RowVector3d g(ray ? drive[0] - limits : bound / 2 - here, drive[1], drive[2]);
-    reach.keep(g, 0);
-    // It may prove all postures but one.
-    const double size = std::hypot(g[1], g[2]);
-    if (std::abs(g[0] - size) <= 1e-9 * size) reach.stop(std::atan2(-g[2], -g[1]));
-  }
-
-  /// Whether the y of point_ proves more the longer it is, up to where gravity no longer drives it.
-  /// Then it is made so long that contacts which do not press by more than rounding show, and
-  /// `limits` is what those at a limit of their force add to phi.
-  bool make_ray(double& limits) {
-    const Twist<2> y = point_.y * std::clamp(1e19 / point_.y.norm(), 1.0, 1e8);
-    dual::Point<2> far(problem_.size);
-    dual::evaluate<2, double>(problem_, Wrench<2>::Zero(), y, far);
-    limits = 0;
-    for (std::size_t i = 0; i < problem_.size; ++i) {
-      const dual::Face<> face = dual::face<double>(problem_, i, far.z(i));
-      if (face.at_lo || face.at_hi) limits += far.z(i).dot(far.f(i));
-    }
-    const double rounding = 2e-15 * y.norm();
-    if (-far.value - limits > rounding * rounding * static_cast<double>(problem_.size)) return false;
-    point_ = far;
-    return true;
-  }
-
-  /// The arc around a posture that holds, and its states.
-  bool arc_at(const Wrench<2>& w, Reach& reach, Arc& arc) {
-    arc.first_state = curve_.states.size();
-    const auto solve_with = [&](auto& solver, const auto& point) {
-      if (!solver.solve(point, reach, arc)) return false;
-      for (std::size_t i = 0; i < problem_.size; ++i) curve_.states.push_back(solver.state(i));
-      return true;
+/// Where an arc gives way to unholdable postures, rounding may find slivers in between.
+void drop_slivers(PostureCurve& curve) {
+  const auto is_sliver = [](const Arc& arc) { return arc.to - arc.from <= undecidable; };
+  const auto is_same = [](double a, double b) {
+    return std::abs(std::remainder(a - b, 2 * pi)) <= undecidable;
+  };
+  const auto is_between = [&](const Arc& sliver) {
+    const auto touches = [&](const auto& piece) {
+      return is_same(piece.from, sliver.to) || is_same(piece.to, sliver.from);
     };
-    if (!solve_with(solver_, point_)) {  // nearly degenerate faces
-      dual::decide<2>(in_wide_numbers().cones, w, cap_, wide_->point);
-      if (!solve_with(wide_->solver, wide_->point)) return false;
-    }
-    const double weight = problem_.weight, square = weight * weight;
-    for (double* c : {&arc.V.c0, &arc.V.cos1, &arc.V.sin1, &arc.V.cos2, &arc.V.sin2}) *c *= square;
-    std::array<Harmonic1, 3>& y = arc.y;
-    const auto to_origin = [&](double Harmonic1::*c) {
-      const Twist<2> at = about_origin(problem_.hand, problem_.weight, {y[0].*c, y[1].*c, y[2].*c});
-      for (std::size_t row = 0; row < 3; ++row) y[row].*c = at[static_cast<int>(row)];
-    };
-    for (double Harmonic1::*c : {&Harmonic1::c0, &Harmonic1::cos1, &Harmonic1::sin1}) to_origin(c);
-    keep_below_cap(reach.at, arc.V, reach);
-    return true;
+    return std::any_of(curve.unholdable_arcs.begin(), curve.unholdable_arcs.end(), touches) &&
+           std::any_of(curve.arcs.begin(), curve.arcs.end(),
+                       [&](const Arc& arc) { return !is_sliver(arc) && touches(arc); });
+  };
+  const auto is_dropped = [&](const Arc& arc) { return is_sliver(arc) && is_between(arc); };
+  if (std::none_of(curve.arcs.begin(), curve.arcs.end(), is_dropped)) return;
+  const std::size_t contacts = curve.states.size() / curve.arcs.size();
+  std::vector<Arc> kept;
+  std::vector<ArcState> states;
+  for (Arc arc : curve.arcs) {
+    if (is_dropped(arc)) continue;
+    const ArcState* first = &curve.states[arc.first_state];
+    arc.first_state = states.size();
+    states.insert(states.end(), first, first + contacts);
+    kept.push_back(arc);
   }
+  curve.arcs = std::move(kept);
+  curve.states = std::move(states);
+}
 
-  /// Ends the arc where its effort leaves the force cap.
-  void keep_below_cap(double at, const Harmonic2& V, Reach& reach) const {
-    const double cap = cap_ * problem_.weight;
-    const double most =
-        V.c0 + std::abs(V.cos1) + std::abs(V.sin1) + std::abs(V.cos2) + std::abs(V.sin2);
-    if (most <= cap * cap) return;
-    Harmonic2 below = V;
-    below.c0 -= cap * cap;
-    for (const Root& end : sign_changes(below, at - pi, at + pi)) reach.stop(end.at);
-  }
-
-  /// A posture that holds although its neighbours do not.
-  bool add_point(double at) {
-    const Hold<2> held = hold(grasp_, up_at(at), {cap_});
-    if (!held.holdable) return false;
-    Arc arc;
-    arc.from = arc.to = at;
-    arc.V.c0 = held.effort;
-    for (std::size_t k = 0; k < 3; ++k) arc.y[k].c0 = held.dual[static_cast<int>(k)];
-    arc.first_state = curve_.states.size();
-    for (const ContactForce<2>& force : held.forces)
-      curve_.states.push_back({force.state, force.limit});
-    curve_.arcs.push_back(arc);
-    return true;
-  }
-
-  void put_in_order() {
-    const bool circle = curve_.domain.to - curve_.domain.from >= 2 * pi;
-    const double start = curve_.domain.from;
-    const auto order = [&](auto& pieces) {
-      for (auto& piece : pieces) {
-        const double turns = circle ? 2 * pi * std::floor((piece.from - start) / (2 * pi)) : 0;
-        piece.from -= turns;
-        piece.to -= turns;
-      }
-      std::sort(pieces.begin(), pieces.end(),
-                [](const auto& a, const auto& b) { return a.from < b.from; });
-    };
-    order(curve_.unholdable_arcs);
-    add_points(circle);
-    order(curve_.arcs);
-    drop_slivers();
-    join_arcs(circle);
-    find_undecided(circle);
-  }
-
-  /// What of the domain is in no piece.
-  void find_undecided(bool circle) {
-    double covered = 0;  // pieces do not overlap
-    for (const Arc& arc : curve_.arcs) covered += arc.to - arc.from;
-    for (const UnholdableArc& gap : curve_.unholdable_arcs) covered += gap.to - gap.from;
-    if (covered >= curve_.domain.to - curve_.domain.from - undecided) return;
-    std::vector<Interval> pieces;
-    for (const Arc& arc : curve_.arcs) pieces.push_back({arc.from, arc.to});
-    for (const UnholdableArc& gap : curve_.unholdable_arcs) pieces.push_back({gap.from, gap.to});
-    std::sort(pieces.begin(), pieces.end(),
-              [](const Interval& a, const Interval& b) { return a.from < b.from; });
-    double reached = curve_.domain.from, end = curve_.domain.to;
-    if (circle && !pieces.empty()) {  // once around from the first piece to itself
-      reached = pieces.front().from;
-      end = reached + 2 * pi;
-    }
-    pieces.push_back({end, end});
-    for (const Interval& piece : pieces) {
-      if (piece.from - reached > undecided) curve_.undecided.push_back({reached, piece.from});
-      reached = std::max(reached, piece.to);
-    }
-  }
-
-  /// Where an arc gives way to unholdable postures, rounding may find slivers in between.
-  void drop_slivers() {
-    const auto near = [](double a, double b) {
-      return std::abs(std::remainder(a - b, 2 * pi)) <= undecided;
-    };
-    const auto is_sliver = [](const Arc& arc) { return arc.to - arc.from <= undecided; };
-    const auto between = [&](const Arc& arc) {
-      const auto beside = [&](const auto& piece) {
-        return near(piece.from, arc.to) || near(piece.to, arc.from);
-      };
-      return std::any_of(curve_.unholdable_arcs.begin(), curve_.unholdable_arcs.end(), beside) &&
-             std::any_of(curve_.arcs.begin(), curve_.arcs.end(),
-                         [&](const Arc& other) { return !is_sliver(other) && beside(other); });
-    };
-    if (std::none_of(curve_.arcs.begin(), curve_.arcs.end(), is_sliver)) return;
-    std::vector<Arc> kept;
-    for (const Arc& arc : curve_.arcs)
-      if (!is_sliver(arc) || !between(arc)) kept.push_back(arc);
-    if (kept.size() == curve_.arcs.size()) return;
-    std::vector<ArcState> states;
-    for (Arc& arc : kept) {
-      const auto first = curve_.states.begin() + static_cast<std::ptrdiff_t>(arc.first_state);
-      arc.first_state = states.size();
-      states.insert(states.end(), first, first + static_cast<std::ptrdiff_t>(problem_.size));
-    }
-    curve_.arcs = std::move(kept);
-    curve_.states = std::move(states);
-  }
-
-  /// Single postures hold, if any, where unholdable arcs meet or the domain ends.
-  void add_points(bool circle) {
-    auto& gaps = curve_.unholdable_arcs;
-    const std::size_t n = gaps.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const double from = gaps[i].from, to = gaps[i].to;
-      if (!circle && from - curve_.domain.from <= same_angle) add_point(curve_.domain.from);
-      const double next = i + 1 < n ? gaps[i + 1].from
-                          : circle  ? gaps[0].from + 2 * pi
-                                    : curve_.domain.to;
-      if (next - to > undecided) continue;
-      if (i + 1 == n && !circle) {
-        add_point(curve_.domain.to);
-      } else if (!add_point(to) && next != to) {
-        add_point(next);
-      }
-    }
-  }
-
-  bool gap_between(double from, double to) const {
-    return std::any_of(curve_.unholdable_arcs.begin(), curve_.unholdable_arcs.end(),
+/// Neighbouring arcs end at one posture; what is closer than rounding touches.
+void join_arcs(PostureCurve& curve) {
+  std::vector<Arc>& arcs = curve.arcs;
+  std::vector<Interval>& holdable = curve.holdable;
+  const auto has_gap = [&](double from, double to) {
+    return std::any_of(curve.unholdable_arcs.begin(), curve.unholdable_arcs.end(),
                        [&](const UnholdableArc& gap) {
                          return gap.from < to && gap.to > from && gap.to - gap.from > same_angle;
                        });
-  }
-
-  /// Neighbouring arcs end at one posture; what is closer than same_angle touches.
-  void join_arcs(bool circle) {
-    auto& arcs = curve_.arcs;
-    auto& holdable = curve_.holdable;
-    for (Arc& arc : arcs) {
-      const bool joins = !holdable.empty() && arc.from - holdable.back().to <= undecided &&
-                         !gap_between(holdable.back().to, arc.from);
-      if (joins) {
-        arc.from = holdable.back().to;
-        arc.to = std::max(arc.from, arc.to);
-        holdable.back().to = arc.to;
-      } else {
-        holdable.push_back({arc.from, arc.to});
-      }
-    }
-    if (!circle || holdable.empty()) return;
-    Interval& first = holdable.front();
-    Interval& last = holdable.back();
-    if (first.from + 2 * pi - last.to > undecided) return;
-    arcs.back().to = first.from + 2 * pi;  // the last arc runs into the first
-    if (holdable.size() == 1) {
-      first = {-pi, pi};
-    } else {
-      last.to = first.to + 2 * pi;
-      holdable.erase(holdable.begin());
-    }
-  }
-
-  const Grasp<2>& grasp_;
-  dual::Problem<2> problem_;
-  LoadCurve load_;
-  double cap_;
-  dual::Point<2> point_;
-  ArcSolver<double> solver_;
-  struct InWideNumbers {
-    InWideNumbers(const Cones<2>& narrow, const LoadCurve& load)
-        : widened(narrow), cones(widened.cones()), point(cones.size), solver(cones, load) {}
-    Widened<2> widened;
-    Cones<2, Wide> cones;
-    dual::Point<2, Wide> point;
-    ArcSolver<Wide> solver;
   };
-  InWideNumbers& in_wide_numbers() { return wide_ ? *wide_ : wide_.emplace(problem_, load_); }
-  std::optional<InWideNumbers> wide_;  // made where rounding asks for it
-  PostureCurve curve_;
-};
+  for (Arc& arc : arcs) {
+    const bool joins = !holdable.empty() && arc.from - holdable.back().to <= undecidable &&
+                       !has_gap(holdable.back().to, arc.from);
+    if (joins) {
+      arc.from = holdable.back().to;
+      arc.to = std::max(arc.from, arc.to);
+      holdable.back().to = arc.to;
+    } else {
+      holdable.push_back({arc.from, arc.to});
+    }
+  }
+  if (!is_circle(curve) || holdable.empty()) return;
+  Interval& first = holdable.front();
+  Interval& last = holdable.back();
+  if (first.from + 2 * pi - last.to > undecidable) return;
+  arcs.back().to = first.from + 2 * pi;  // the last arc runs into the first
+  if (holdable.size() == 1) {
+    first = {-pi, pi};
+  } else {
+    last.to = first.to + 2 * pi;
+    holdable.erase(holdable.begin());
+  }
+}
+
+/// What of the domain is in no piece.
+void find_undecided(PostureCurve& curve) {
+  double covered = 0;  // pieces do not overlap
+  for (const Arc& arc : curve.arcs) covered += arc.to - arc.from;
+  for (const UnholdableArc& gap : curve.unholdable_arcs) covered += gap.to - gap.from;
+  if (covered >= curve.domain.to - curve.domain.from - undecidable) return;
+  std::vector<Interval> pieces;
+  for (const Arc& arc : curve.arcs) pieces.push_back({arc.from, arc.to});
+  for (const UnholdableArc& gap : curve.unholdable_arcs) pieces.push_back({gap.from, gap.to});
+  std::sort(pieces.begin(), pieces.end(),
+            [](const Interval& a, const Interval& b) { return a.from < b.from; });
+  double reached = curve.domain.from, end = curve.domain.to;
+  if (is_circle(curve) && !pieces.empty()) {  // once around from the first piece to itself
+    reached = pieces.front().from;
+    end = reached + 2 * pi;
+  }
+  pieces.push_back({end, end});
+  for (const Interval& piece : pieces) {
+    if (piece.from - reached > undecidable) curve.undecided.push_back({reached, piece.from});
+    reached = std::max(reached, piece.to);
+  }
+}
 
 }  // namespace
 
@@ -351,8 +164,15 @@ Interval domain_interval(const Grasp<2>& grasp, Domain domain) {
 }
 
 PostureCurve posture_curve(const Grasp<2>& grasp, const CurveSettings& settings) {
-  if (grasp.loads().size() > 1) throw InvalidGrasp("loads", "must be one: the grasp is in the plane");
-  PostureCurve curve = Tracer(grasp, settings).trace();
+  if (grasp.loads().size() > 1)
+    throw InvalidGrasp("loads", "must be one: the grasp is in the plane");
+  PostureCurve curve = trace(grasp, settings);
+  order(curve, curve.unholdable_arcs);
+  add_points(grasp, settings.force_cap, curve);
+  order(curve, curve.arcs);
+  drop_slivers(curve);
+  join_arcs(curve);
+  find_undecided(curve);
   curve.optima = optima(curve);
   for (Interval& interval : curve.holdable) {
     const double turns = 2 * pi * std::floor((interval.from + pi) / (2 * pi));

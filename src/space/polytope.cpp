@@ -63,41 +63,56 @@ bool Polytope::cut(const Vector<3>& n, double b, int id) {
 }
 
 bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
-  const auto beyond = [&](std::size_t i) { return n.dot(vertices_[i].x) > b + rounding_; };
-  if (!beyond(hint)) return false;
-  // The patch of vertices that are cut off.
+  if (!find_patch(n, b, hint)) return false;
+  if (!edges_.empty()) {  // else nothing is left
+    if (!order_edges()) return false;
+    if (planes_.size() <= static_cast<std::size_t>(id))
+      planes_.resize(static_cast<std::size_t>(id) + 1);
+    planes_[static_cast<std::size_t>(id)] = {n, b};
+    add_fan(n, b, id);
+  }
+  for (const std::size_t i : patch_) {
+    remove(i);
+    free_.push_back(i);
+  }
+  return true;
+}
+
+/// The patch of vertices that are cut off, and the edges that lead out of it. False: there are
+/// none.
+bool Polytope::find_patch(const Vector<3>& n, double b, std::size_t hint) {
+  const auto is_beyond = [&](std::size_t i) { return n.dot(vertices_[i].x) > b + rounding_; };
+  if (!is_beyond(hint)) return false;
   patch_.assign(1, hint);
   in_patch_[hint] = 1;
   for (std::size_t k = 0; k < patch_.size(); ++k)
     for (const std::size_t i : vertices_[patch_[k]].next)
-      if (in_patch_[i] == 0 && beyond(i)) {
+      if (in_patch_[i] == 0 && is_beyond(i)) {
         in_patch_[i] = 1;
         patch_.push_back(i);
       }
-  // The edges out of the patch. They lead once round it, from plane to plane, or rounding has
-  // made the patch no disk: then the cut is left out.
   edges_.clear();
   for (const std::size_t i : patch_)
     for (std::size_t e = 0; e < 3; ++e)
       if (in_patch_[vertices_[i].next[e]] == 0) edges_.push_back({i, e});
   for (const std::size_t i : patch_) in_patch_[i] = 0;
-  if (edges_.empty()) {  // nothing is left
-    for (const std::size_t i : patch_) remove(i);
-    return true;
-  }
-  const auto first = [&](const Edge& e) { return vertices_[e.from].planes[(e.leaves + 1) % 3]; };
-  const auto second = [&](const Edge& e) { return vertices_[e.from].planes[(e.leaves + 2) % 3]; };
+  return true;
+}
+
+/// The edges lead once round the patch, from plane to plane. False: rounding has made it no disk.
+bool Polytope::order_edges() {
   for (std::size_t k = 0; k + 1 < edges_.size(); ++k) {
     std::size_t follower = k + 1;
-    while (follower < edges_.size() && first(edges_[follower]) != second(edges_[k])) ++follower;
+    while (follower < edges_.size() && plane_of(edges_[follower], 1) != plane_of(edges_[k], 2))
+      ++follower;
     if (follower == edges_.size()) return false;
     std::swap(edges_[k + 1], edges_[follower]);
   }
-  if (edges_.size() < 3 || first(edges_.front()) != second(edges_.back())) return false;
-  if (planes_.size() <= static_cast<std::size_t>(id))
-    planes_.resize(static_cast<std::size_t>(id) + 1);
-  planes_[static_cast<std::size_t>(id)] = {n, b};
-  // On each a new vertex, opposite to the new plane.
+  return edges_.size() >= 3 && plane_of(edges_.front(), 1) == plane_of(edges_.back(), 2);
+}
+
+/// On each edge a new vertex, opposite to the new plane.
+void Polytope::add_fan(const Vector<3>& n, double b, int id) {
   fan_.clear();
   for (const Edge& edge : edges_) {
     const Vertex& from = vertices_[edge.from];
@@ -108,7 +123,7 @@ bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
     Vertex v{};
     v.x = from.x + part * (to.x - from.x);
     v.square = v.x.squaredNorm();
-    v.planes = {first(edge), second(edge), id};
+    v.planes = {plane_of(edge, 1), plane_of(edge, 2), id};
     v.next = {none, none, outside};
     v.alive = true;
     fan_.push_back(add(v));
@@ -123,11 +138,6 @@ bool Polytope::cut(const Vector<3>& n, double b, int id, std::size_t hint) {
     for (std::size_t e = 0; e < 3; ++e)
       if (to.planes[e] != planes[0] && to.planes[e] != planes[1]) to.next[e] = i;
   }
-  for (const std::size_t i : patch_) {
-    remove(i);
-    free_.push_back(i);
-  }
-  return true;
 }
 
 std::size_t Polytope::farthest() const {

@@ -56,6 +56,13 @@ class Polytope {
     std::size_t from, leaves;  ///< a vertex, and the index of the plane that the edge leaves
   };
 
+  /// The plane after the one that the edge leaves, or the second after it.
+  int plane_of(const Edge& edge, std::size_t after) const {
+    return vertices_[edge.from].planes[(edge.leaves + after) % 3];
+  }
+  bool find_patch(const Vector<3>& n, double b, std::size_t hint);
+  bool order_edges();
+  void add_fan(const Vector<3>& n, double b, int id);
   std::size_t add(const Vertex& vertex);
   void remove(std::size_t vertex);
 
