@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "poise/best_posture.hpp"
 #include "apps/paper/exact.hpp"
+#include "poise/best_posture.hpp"
 
 namespace poise::study {
 namespace {

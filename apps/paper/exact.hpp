@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "poise/posture_curve.hpp"
 #include "apps/paper/disk.hpp"
+#include "poise/posture_curve.hpp"
 
 namespace poise::study {
 

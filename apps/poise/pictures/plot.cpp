@@ -13,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)
 
@@ -71,7 +72,18 @@ class Draft {
   int file_{-1};
 };
 
-/// Runs gnuplot without the user's settings; its status as waitpid gives it.
+/// The environment of this process in a locale that has all characters: in the C locale gnuplot
+/// complains about the degree sign.
+std::vector<char*> environment_in_utf8() {
+  static char locale[] = "LC_ALL=C.UTF-8";
+  std::vector<char*> variables{locale};
+  for (char** variable = environ; *variable != nullptr; ++variable)
+    if (!std::string_view(*variable).starts_with("LC_ALL=")) variables.push_back(*variable);
+  variables.push_back(nullptr);
+  return variables;
+}
+
+/// Runs gnuplot without the user's settings and locale; its status as waitpid gives it.
 int run_gnuplot(int in, int out) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -80,7 +92,8 @@ int run_gnuplot(int in, int out) {
   char name[] = "gnuplot", settings[] = "--default-settings";
   char* const arguments[] = {name, settings, nullptr};
   pid_t child = 0;
-  const int error = posix_spawnp(&child, name, &actions, nullptr, arguments, environ);
+  const int error =
+      posix_spawnp(&child, name, &actions, nullptr, arguments, environment_in_utf8().data());
   posix_spawn_file_actions_destroy(&actions);
   if (error == ENOENT)
     throw OutputError("drawing needs gnuplot, which is not installed (Debian: gnuplot-nox)");
