@@ -327,6 +327,13 @@ TEST_F(Plot, TakesNamesAsTheyAre) {
   EXPECT_FALSE(fs::exists(folder() / "was_run"));
 }
 
+TEST_F(Plot, IsTheSameInAnyLocale) {
+  const std::string curve = "curve " + example("l-part") + " --plot ";
+  EXPECT_EQ(poise(curve + "utf8.svg", "LC_ALL=C.UTF-8").err, "");
+  EXPECT_EQ(poise(curve + "c.svg", "LC_ALL=C LANG=C").err, "");
+  EXPECT_EQ(contents(folder() / "utf8.svg"), contents(folder() / "c.svg"));
+}
+
 TEST_F(Plot, LeavesNothingBehindWhereItFails) {
   const std::string curve = "curve " + example("l-part") + " --plot ";
   const Outcome missing = poise(curve + "none/x.svg");
@@ -349,56 +356,6 @@ TEST_F(Plot, LeavesNothingBehindWhereItFails) {
 
   EXPECT_EQ(poise(curve + "old.svg").status, 0);
   EXPECT_NE(contents(folder() / "old.svg"), "old");
-}
-
-TEST_F(Plot, PaperWritesItsFiguresTableAndFindings) {
-  const Json result = json("paper --out a/b");
-  EXPECT_EQ(result["poise_result"], 1);
-  EXPECT_EQ(result["command"], "paper");
-  EXPECT_EQ(result["options"]["weight"], 10);
-  EXPECT_TRUE(result["options"]["phi_deg"].is_null());
-  ASSERT_EQ(result["disks"].size(), 7U);
-  const Json& fig6 = result["disks"].back();
-  EXPECT_EQ(fig6["name"], "Fig. 6");
-  ASSERT_EQ(fig6["minima"].size(), 3U);
-  EXPECT_EQ(fig6["minima"][1]["name"], "b");
-  EXPECT_NEAR(fig6["minima"][1]["angle_deg"], 30, 1e-12);
-  EXPECT_NEAR(fig6["minima"][1]["effort"], 300, 1e-10);
-  EXPECT_NEAR(fig6["minima"][1]["internal_force"], 15.7830, 5e-5);
-
-  const fs::path out = folder() / "a/b";
-  for (const std::string name :
-       {"figure-2", "figure-3a", "figure-3b", "figure-3c", "figure-4a", "figure-4b", "figure-4c",
-        "figure-5", "figure-6", "figure-7", "when-b-is-a-minimum", "sampling"})
-    EXPECT_NE(contents(out / (name + ".svg")).find("</svg>"), std::string::npos) << name;
-  for (const auto& entry : fs::directory_iterator(out))
-    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
-  for (const std::string curve : {"α₁", "α₂", "α₃ = α₄", "α₅", "α₆", "ᾱ"})
-    EXPECT_NE(contents(out / "figure-6.svg").find(curve), std::string::npos) << curve;
-  EXPECT_NE(contents(out / "figure-4c.svg").find("no finite value"), std::string::npos);
-  EXPECT_NE(contents(out / "minima.txt").find("15.7830      300.0000"), std::string::npos);
-  const std::string findings = contents(out / "findings.md");
-  for (int number = 1; number <= 7; ++number)
-    EXPECT_NE(findings.find("## " + std::to_string(number) + ". "), std::string::npos) << number;
-  // The page of the documentation tells these numbers.
-  EXPECT_NE(findings.find("7259 of 20000"), std::string::npos);
-  EXPECT_NE(findings.find("| Fig. 6 | 165.00° | cradled | 80.3848 |"), std::string::npos);
-}
-
-TEST_F(Plot, PaperTakesAnyDisk) {
-  const Json result = json("paper --out x --phi 80 --mu1 0.9 --mu2 0.2 --weight 5");
-  const Json& given = result["disks"].back();
-  EXPECT_EQ(given["name"], "Given");
-  EXPECT_NEAR(given["phi_deg"], 80, 1e-12);
-  ASSERT_EQ(given["minima"].size(), 2U);  // V falls through b
-  EXPECT_NEAR(given["minima"][0]["effort"], 25, 1e-12);
-  EXPECT_NE(contents(folder() / "x/given-curves.svg").find("b (no minimum)"), std::string::npos);
-  for (const std::string odd : {"--phi 90 --mu1 0 --mu2 0 --weight 0.001", "--phi 45 --mu2 2",
-                                "--mu1 1000000 --weight 1000000"}) {
-    const Outcome run = poise("paper --out x " + odd);
-    EXPECT_EQ(run.status, 0) << odd;
-    EXPECT_EQ(run.err, "") << odd;
-  }
 }
 
 /// A block of 10 N between two fingers that press with up to 25 N.

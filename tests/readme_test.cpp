@@ -59,8 +59,10 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 /// What a command prints on both streams, in the root of the repository.
 std::string output(const std::string& command) {
-  const std::string program = "'" POISE_PROGRAM "'", in = root.string();
-  const std::string line = replaced(command, "build/poise", program);
+  const std::string program = "'" POISE_PROGRAM "'", paper = "'" POISE_PAPER "'";
+  const std::string in = root.string();
+  const std::string line =
+      replaced(replaced(command, "build/poise", program), "build/paper", paper);
   std::FILE* pipe = popen(("cd '" + in + "' && { " + line + "\n} 2>&1 </dev/null").c_str(), "r");
   if (!pipe) return "cannot be run";
   std::string text;
@@ -110,7 +112,7 @@ TEST(Documentation, CommandLineNamesEveryKey) {
 // The tables of docs/paper.md that were measured: how often, and how many samples.
 TEST(Documentation, PaperTellsWhatIsMeasured) {
   const fs::path out = fs::path(testing::TempDir()) / ("poise_paper_" + std::to_string(getpid()));
-  output("build/poise paper --out '" + out.string() + "'");
+  output("build/paper --out '" + out.string() + "'");
   const std::string findings = contents(out / "findings.md");
   fs::remove_all(out);
   const std::string page = contents(root / "docs/paper.md");

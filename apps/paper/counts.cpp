@@ -57,7 +57,7 @@ EllipseCounts count_ellipses(std::size_t ellipses, double off_centre, std::uint6
       ++counts.unholdable;
       continue;
     }
-    const Minimum<2>& lowest = best.best();
+    const poise::Minimum<2>& lowest = best.best();
     if (lowest.manner == Manner::resting) {
       ++counts.resting;
     } else if (lowest.optimum.kind == Kind::smooth) {
@@ -68,7 +68,7 @@ EllipseCounts count_ellipses(std::size_t ellipses, double off_centre, std::uint6
       ++counts.kink;
       if (lowest.manner == Manner::pinched) ++counts.kink_pinched;
     }
-    if (const Minimum<2>* pinched = best.best_pinched()) {
+    if (const poise::Minimum<2>* pinched = best.best_pinched()) {
       ++counts.pinched;
       if (pinched->edges_meet) ++counts.pinched_where_edges_meet;
     }

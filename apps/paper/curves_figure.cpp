@@ -135,15 +135,15 @@ void mark(Script& script, const HeldDisk& disk, const std::vector<Vector<2>>& po
   const bool b_is_minimum = minima(disk).size() == marked.size();
   for (std::size_t k = 0; k < points.size(); ++k) {
     const char name = marked[k].name;
-    script.line("set label '{}{}' at {},{} {} offset {},0.7 front font 'sans-serif:Italic,17'",
-                name, name == 'b' && !b_is_minimum ? " (no minimum)" : "", points[k].x(),
-                points[k].y(),
+    script.line("set label '{}{}' at {},{} {} offset {},{} front font 'sans-serif:Italic,17'", name,
+                name == 'b' && !b_is_minimum ? " (no minimum)" : "", points[k].x(), points[k].y(),
                 name == 'a'   ? "right"
                 : name == 'c' ? "left"
                               : "center",
                 name == 'a'   ? -0.5
                 : name == 'c' ? 0.5
-                              : 0.0);
+                              : 0.0,
+                name == 'b' ? 1.0 : 0.7);
   }
   script.data("marks", {points});
   script.layer("$marks with points pt 7 ps 0.9 lc rgb 'black' notitle");
@@ -275,11 +275,11 @@ std::string curves_figure(const std::vector<NamedDisk>& columns) {
 std::string evaluation_figure(const NamedDisk& named) {
   Script script;
   begin_picture(script, 770, 960, true);
-  headline(script, named.name, 0.975);
   script.line("set key at screen 0.5,0.04 center center width -1 maxrows 3");
-  script.line("set title '{}' offset 0,-0.5", parameters(named.disk));
-  place(script, 0.137, 0.96, 0.555, 0.925);
-  draw_bounds(script, named.disk, "what counts: the largest, ᾱ");
+  script.line("set title '{}: {}' offset 0,-0.5 font 'sans-serif,18'", named.name,
+              parameters(named.disk));
+  place(script, 0.137, 0.96, 0.555, 0.945);
+  draw_bounds(script, named.disk, "what counts: ᾱ, and V with it");
   script.line("unset title");
   place(script, 0.137, 0.96, 0.165, 0.52);
   draw_evaluations(script, named.disk);

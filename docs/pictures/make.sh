@@ -2,6 +2,7 @@
 # Draws the pictures of README.md, docs/theory.md and docs/paper.md. Needs gnuplot, jq, awk, and numpy.
 #   docs/pictures/make.sh [the program; default: build/poise]
 set -euo pipefail
+export LC_ALL=C.UTF-8  # gnuplot knows the degree sign
 poise=$(realpath "${1:-$(dirname "$0")/../../build/poise}")
 cd "$(dirname "$0")"
 examples=../../examples
@@ -450,8 +451,8 @@ END
 
 # ---- The paper ---------------------------------------------------------------------------------
 
-"$poise" paper --out "$work/paper" > /dev/null
-for figure in figure-{2,3a,3b,3c,4a,4c,5,6,7} when-b-is-a-minimum sampling; do
+"$(dirname "$poise")/paper" --out "$work/paper" > /dev/null
+for figure in figure-{2,3a,3b,3c,4a,4c,5,6,7} equal-frictions when-b-is-a-minimum sampling; do
   mv "$work/paper/$figure.svg" "paper-$figure.svg"
   echo "paper-$figure.svg"
 done

@@ -82,6 +82,7 @@ class Listings(unittest.TestCase):
                 (folder / "examples").symlink_to(ROOT / "examples")
                 (folder / "build").mkdir()
                 (folder / "build/poise").symlink_to(PROGRAM)
+                (folder / "build/paper").symlink_to(PROGRAM.with_name("paper"))
                 os.chdir(folder)
                 try:
                     self.try_page(page)
@@ -115,7 +116,7 @@ class Listings(unittest.TestCase):
                 presets = json.loads((ROOT / "CMakePresets.json").read_text())
                 names = [each["name"] for each in presets["configurePresets"]]
                 self.assertIn(words[words.index("--preset") + 1], names)
-        if programs <= {"poise", "build/poise"}:
+        if programs <= {"poise", "build/poise", "build/paper"}:
             self.put_data_sets()
             path = f"{PROGRAM.parent}:{os.environ['PATH']}"
             run(["bash", "-e", "-c", listing.text], env={**os.environ, "PATH": path})
