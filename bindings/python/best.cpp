@@ -29,9 +29,7 @@ Settings settings(Domain domain, double force_cap, double gap, int max_holds,
                             .max_holds = max_holds,
                             .force_cap = checked_cap(force_cap),
                             .starts = starts}};
-  if (!tilt.is_none())
-    result.space.tilt = Tilt{unit<3>(tilt.attr("from_").cast<Eigen::VectorXd>(), "tilt.from_"),
-                             tilt.attr("most").cast<double>()};
+  result.space.tilt = read_tilt(tilt);
   return result;
 }
 
@@ -103,49 +101,39 @@ Eigen::Vector4d turn(const Eigen::VectorXd& orientation, const Eigen::VectorXd& 
 }
 
 void add_planar(py::module_& module) {
-  py::class_<Minimum<2>>(module, "PlanarPosture",
-                         "A posture worth knowing: an optimum of the curve with its hold.")
-      .def_readonly("optimum", &Minimum<2>::optimum)
-      .def_property_readonly("hold",
-                             [](const Minimum<2>& posture) { return AnyHold{posture.hold()}; })
-      .def_readonly("manner", &Minimum<2>::manner)
-      .def_readonly("edges_meet", &Minimum<2>::edges_meet,
-                    "At a kink with exactly two loaded contacts, both slipping: where the edges of "
-                    "their friction\ncones meet (2,) [m, object frame], on the vertical through "
-                    "the centre of mass. None if parallel.")
-      .def_readonly("two_slipping", &Minimum<2>::two_slipping, "Whether edges_meet was asked for.")
+  Class<Minimum<2>>(module, "PlanarPosture",
+                    "A posture worth knowing: an optimum of the curve with its hold.", "Minimum")
+      .attribute("optimum", &Minimum<2>::optimum)
+      .attribute("hold", [](const Minimum<2>& posture) { return AnyHold{posture.hold()}; })
+      .attribute("manner", &Minimum<2>::manner)
+      .attribute("edges_meet", &Minimum<2>::edges_meet)
+      .attribute("two_slipping", &Minimum<2>::two_slipping)
       .def("__repr__", [](const Minimum<2>& posture) {
         return py::str("PlanarPosture({:.2f} deg, effort={:.6g} N^2, {}, {})")
             .format(degrees(posture.optimum.angle), posture.optimum.effort,
                     to_string(posture.manner), to_string(posture.optimum.kind));
       });
 
-  py::class_<Best<2>>(module, "BestPosture",
-                      "The best posture of a planar grasp, the other minima, and their proof.")
-      .def_property_readonly(
+  Class<Best<2>>(module, "BestPosture",
+                 "The best posture of a planar grasp, the other minima, and their proof.", "Best")
+      .attribute(
           "curve", [](const Best<2>& best) { return &best.proof.curve; },
-          py::return_value_policy::reference_internal,
           "With the proof: its arcs and unholdable arcs.")
-      .def_readonly("minima", &Best<2>::minima, "In the order of the curve; the first is the best.")
-      .def_property_readonly(
+      .attribute("minima", &Best<2>::minima)
+      .attribute(
           "worst", [](const Best<2>& best) { return best.proof.worst; },
           "The posture of the domain that needs most, or None.")
-      .def_readonly("pinched", &Best<2>::pinched,
-                    "Index into minima of the lowest interior minimum that is pinched, or None.")
-      .def_readonly("lower_bound", &Best<2>::lower_bound,
-                    "On the effort in the whole domain, by the arcs' y [N^2].")
-      .def_property_readonly(
+      .attribute("pinched", &Best<2>::pinched)
+      .attribute("lower_bound", &Best<2>::lower_bound)
+      .attribute(
           "optimal", [](const Best<2>& best) { return best.status != Status::gap; },
           "Whether no posture of the domain needs less than the best, as "
           "lower_bound proves, or,\nwhere there is none, none holds: False only "
           "where rounding hid what is there.")
-      .def_property_readonly("holdable", &Best<2>::holdable)
-      .def_property_readonly(
-          "best", [](const Best<2>& best) { return best.holdable() ? &best.best() : nullptr; },
-          py::return_value_policy::reference_internal, "The best posture; None where unholdable.")
-      .def_property_readonly("best_pinched", &Best<2>::best_pinched,
-                             py::return_value_policy::reference_internal,
-                             "The lowest interior minimum that is pinched, or None.")
+      .attribute("holdable", &Best<2>::holdable)
+      .attribute("best",
+                 [](const Best<2>& best) { return best.holdable() ? &best.best() : nullptr; })
+      .attribute("best_pinched", &Best<2>::best_pinched)
       .def("__repr__", [](const Best<2>& best) {
         if (!best.holdable()) return py::str("BestPosture(unholdable)");
         return py::str("BestPosture(minima={})").format(best.minima);
@@ -153,15 +141,13 @@ void add_planar(py::module_& module) {
 }
 
 void add_spatial(py::module_& module) {
-  py::class_<Minimum<3>>(module, "SpatialPosture", "A posture in space, with its hold.")
-      .def_readonly("up", &Minimum<3>::up, "(3,), unit vector, object frame.")
-      .def_property_readonly(
-          "hold", [](const Minimum<3>& posture) { return AnyHold{posture.hold()}; },
-          "Of the scenario that decides.")
-      .def_readonly("manner", &Minimum<3>::manner)
-      .def_readonly("scenario", &Minimum<3>::decides,
-                    "The one that needs the greatest effort: an index.")
-      .def_property_readonly(
+  Class<Minimum<3>>(module, "SpatialPosture", "A posture in space, with its hold.", "Posture")
+      .attribute("up", &Minimum<3>::up)
+      .attribute("hold", [](const Minimum<3>& posture) { return AnyHold{posture.hold()}; })
+      .attribute("manner", &Minimum<3>::manner)
+      .attribute("scenario", &Minimum<3>::decides,
+                 "The one that needs the greatest effort: an index.")
+      .attribute(
           "scenario_efforts",
           [](const Minimum<3>& posture) {
             std::vector<double> efforts;
@@ -171,53 +157,39 @@ void add_spatial(py::module_& module) {
             return efforts;
           },
           "[N^2]")
-      .def_property_readonly("effort", &Minimum<3>::effort, "V of the hold [N^2].")
+      .attribute("effort", &Minimum<3>::effort)
       .def("__repr__", [](const Minimum<3>& posture) {
         return py::str("SpatialPosture(up={}, effort={:.6g} N^2, {})")
             .format(shown(posture.up), posture.effort(), to_string(posture.manner));
       });
 
-  py::class_<Cut>(module, "Cut",
-                  "Cuts off postures: by the y of a scenario, or a plane of the tilt.")
-      .def_readonly("y", &Cut::y,
-                    "A twist about the object frame's origin (6,) [N, N/m]: for every x in R^3, "
-                    "weight x through\nthe com of the scenario needs an effort of at least\n"
-                    "2 (y . w(x) - phi(G^T y)).")
-      .def_readonly("scenario", &Cut::load)
-      .def_readonly("n", &Cut::n,
-                    "(3,): n . x <= 0 in the whole domain; then y and scenario say nothing. Or "
-                    "None.")
+  Class<Cut>(module, "Cut")
+      .attribute("y", &Cut::y,
+                 "A twist about the object frame's origin (6,) [N, N/m]: for every x in R^3, "
+                 "weight x through\nthe com of the scenario needs an effort of at least\n"
+                 "2 (y . w(x) - phi(G^T y)).")
+      .attribute("scenario", &Cut::load)
+      .attribute("n", &Cut::n)
       .def("__repr__", [](const Cut& cut) {
         return cut.n ? py::str("Cut(n={})").format(shown(*cut.n))
                      : py::str("Cut(y={}, scenario {})").format(shown(cut.y), cut.load);
       });
 
-  py::class_<Best<3>>(
+  Class<Best<3>>(
       module, "BestSpatialPosture",
-      "The best posture of a spatial grasp, the other minima that were found, and its certificate.")
-      .def_readonly("status", &Best<3>::status)
-      .def_property_readonly(
-          "best", [](const Best<3>& best) { return best.holdable() ? &best.best() : nullptr; },
-          py::return_value_policy::reference_internal,
-          "The best posture; None where nothing holdable was found.")
-      .def_readonly("minima", &Best<3>::minima,
-                    "Local minima over the domain, best first, found by descent from many starts: "
-                    "not proven\ncomplete.")
-      .def_readonly("pinched", &Best<3>::pinched, "Index into minima, or None.")
-      .def_property_readonly("best_pinched", &Best<3>::best_pinched,
-                             py::return_value_policy::reference_internal,
-                             "The lowest of the minima that is pinched and inside the domain and "
-                             "the holdable set, or None.")
-      .def_readonly("lower_bound", &Best<3>::lower_bound,
-                    "On the effort in the whole domain [N^2]: no unit vector x satisfies all cuts "
-                    "with\n2 (y . w(x) - phi(G^T y)) <= lower_bound, or it is no more than the "
-                    "square of the greatest\nweight over the sum of shares. Where unholdable, "
-                    "above the square of the force cap.")
-      .def_readonly("relative_gap", &Best<3>::relative_gap,
-                    "(effort - lower_bound) / effort; 0 where there is no best.")
-      .def_property_readonly(
+      "The best posture of a spatial grasp, the other minima that were found, and its certificate.",
+      "Best")
+      .attribute("status", &Best<3>::status)
+      .attribute("best",
+                 [](const Best<3>& best) { return best.holdable() ? &best.best() : nullptr; })
+      .attribute("minima", &Best<3>::minima)
+      .attribute("pinched", &Best<3>::pinched)
+      .attribute("best_pinched", &Best<3>::best_pinched)
+      .attribute("lower_bound", &Best<3>::lower_bound)
+      .attribute("relative_gap", &Best<3>::relative_gap)
+      .attribute(
           "cuts", [](const Best<3>& best) { return best.proof.cuts; }, "The certificate.")
-      .def_property_readonly(
+      .attribute(
           "holds", [](const Best<3>& best) { return best.proof.holds; },
           "Spent on the certificate.")
       .def("__repr__", [](const Best<3>& best) {

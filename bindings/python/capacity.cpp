@@ -59,81 +59,54 @@ constexpr const char* dual_text =
     "bound.";
 
 void add_types(py::module_& module) {
-  py::class_<AnyEnd>(module, "WeightEnd",
-                     "One end of the weights that can be held in a posture: found from both sides.")
-      .def_property_readonly("weight", each<AnyEnd>([](const auto& end) { return end.weight; }),
-                             "Can be held, by hold [N].")
-      .def_property_readonly("bound", each<AnyEnd>([](const auto& end) { return end.bound; }),
-                             "No weight beyond this can be held, by dual [N].")
-      .def_property_readonly("hold",
-                             each<AnyEnd>([](const auto& end) { return hold_of(end.posture); }))
-      .def_property_readonly(
-          "dual", each<AnyEnd>([](const auto& end) -> Eigen::VectorXd { return end.dual; }),
-          dual_text)
+  Class<AnyEnd>(module, "WeightEnd")
+      .either(
+          "weight", [](const auto& end) { return end.weight; }, "Can be held, by hold [N].")
+      .either("bound", [](const auto& end) { return end.bound; })
+      .either("hold", [](const auto& end) { return hold_of(end.posture); })
+      .either(
+          "dual", [](const auto& end) -> Eigen::VectorXd { return end.dual; }, dual_text)
       .def("__repr__", each<AnyEnd>([](const auto& end) {
              return py::str("WeightEnd({:.6g} N)").format(end.weight);
            }));
 
-  py::class_<AnyRange>(module, "WeightRange",
-                       "All weights that can be held in a posture: an interval, since forces that "
-                       "hold two weights mix.")
-      .def_property_readonly("holdable",
-                             each<AnyRange>([](const auto& range) { return range.holdable; }),
-                             "Whether there are any.")
-      .def_property_readonly(
-          "least", part<WeightEnd, AnyRange>([](const auto& range) { return range.least; }),
-          "Above 0 only where contacts have a min_normal.")
-      .def_property_readonly(
-          "greatest", part<WeightEnd, AnyRange>([](const auto& range) { return range.greatest; }),
-          "Infinite where contacts without max_normal can hold any weight: then its hold is of "
-          "the\n"
-          "grasp's own weight, by these alone.")
+  Class<AnyRange>(module, "WeightRange")
+      .either("holdable", [](const auto& range) { return range.holdable; })
+      .attribute("least", part<WeightEnd, AnyRange>([](const auto& range) { return range.least; }))
+      .attribute("greatest",
+                 part<WeightEnd, AnyRange>([](const auto& range) { return range.greatest; }))
       .def("__repr__", each<AnyRange>([](const auto& range) {
              if (!range.holdable) return py::str("WeightRange(unholdable)");
              return py::str("WeightRange({:.6g} to {:.6g} N)")
                  .format(range.least.weight, range.greatest.weight);
            }));
 
-  py::class_<Deciding>(module, "Deciding",
-                       "What a contact has to do with an end, in every hold at that end.")
-      .def_readonly("per_newton", &Deciding::per_newton,
-                    "How many newtons more can be held at most for each newton more of "
-                    "max_normal; 0 where the\ncontact does not have to press as hard as it may.")
-      .def_readonly("slipping", &Deciding::slipping,
-                    "Whether it uses all its friction, if it presses at all.")
+  Class<Deciding>(module, "Deciding")
+      .attribute("per_newton", &Deciding::per_newton)
+      .attribute("slipping", &Deciding::slipping)
       .def("__repr__", [](const Deciding& contact) {
         return py::str("Deciding(per_newton={:.6g}, slipping={})")
             .format(contact.per_newton, contact.slipping);
       });
 
-  py::class_<AnyFriction>(module, "LeastFriction",
-                          "The least common factor on all frictions and torsions with which the "
-                          "weight is still held.\n1 / factor is the greatest safety.")
-      .def_property_readonly("factor",
-                             each<AnyFriction>([](const auto& least) { return least.factor; }),
-                             "The weight is held with it, by hold. Infinite where even a million "
-                             "times the friction is too\nlittle.")
-      .def_property_readonly("bound",
-                             each<AnyFriction>([](const auto& least) { return least.bound; }),
-                             "With less it is not, by dual.")
-      .def_property_readonly(
-          "hold", each<AnyFriction>([](const auto& least) { return hold_of(least.posture); }))
-      .def_property_readonly(
-          "dual",
-          each<AnyFriction>([](const auto& least) -> Eigen::VectorXd { return least.dual; }),
-          "As in WeightEnd, with the grasp's weight and bound times its friction, (3,) or (6,).")
+  Class<AnyFriction>(module, "LeastFriction")
+      .either(
+          "factor", [](const auto& least) { return least.factor; },
+          "The weight is held with it, by hold. Infinite where even a million "
+          "times the friction is too\nlittle.")
+      .either("bound", [](const auto& least) { return least.bound; })
+      .either("hold", [](const auto& least) { return hold_of(least.posture); })
+      .either("dual", [](const auto& least) -> Eigen::VectorXd { return least.dual; })
       .def("__repr__", each<AnyFriction>([](const auto& least) {
              return py::str("LeastFriction(factor={:.6g})").format(least.factor);
            }));
 
-  py::class_<AnyCapacity>(module, "Capacity", "What people ask about a gripper in one posture.")
-      .def_property_readonly("weights", part<WeightRange, AnyCapacity>(
-                                            [](const auto& answer) { return answer.weights; }))
-      .def_property_readonly("friction", part<LeastFriction, AnyCapacity>(
-                                             [](const auto& answer) { return answer.friction; }))
-      .def_property_readonly(
-          "safe", each<AnyCapacity>([](const auto& answer) { return hold_of(answer.safe); }),
-          "Hold of the grasp's weight, with all frictions and torsions divided by the safety.")
+  Class<AnyCapacity>(module, "Capacity")
+      .attribute("weights",
+                 part<WeightRange, AnyCapacity>([](const auto& answer) { return answer.weights; }))
+      .attribute("friction", part<LeastFriction, AnyCapacity>(
+                                 [](const auto& answer) { return answer.friction; }))
+      .either("safe", [](const auto& answer) { return hold_of(answer.safe); })
       .def("__repr__", each<AnyCapacity>([](const auto& answer) {
              return py::str("Capacity(weights={}, friction={})")
                  .format(py::cast(AnyRange{answer.weights}),

@@ -147,27 +147,23 @@ std::vector<AnyForce> forces(const AnyHold& any) {
 }
 
 void add_forces(py::module_& module) {
-  py::class_<AnyForce>(module, "ContactForce",
-                       "The force of a finger on the object at one contact.")
-      .def_property_readonly("normal",
-                             each<AnyForce>([](const auto& force) { return force.normal; }),
-                             "Along the inward normal [N], >= 0.")
-      .def_property_readonly(
-          "tangential",
-          each<AnyForce>([](const auto& force) { return py::cast(force.tangential); }),
+  Class<AnyForce>(module, "ContactForce")
+      .either("normal", [](const auto& force) { return force.normal; })
+      .either(
+          "tangential", [](const auto& force) { return py::cast(force.tangential); },
           "In the plane along the normal turned by +90 degrees [N]; in space (3,), tangent to the\n"
           "contact, object frame [N].")
-      .def_property_readonly(
-          "torsion_moment", each<AnyForce>([](const auto& force) { return torsion_moment(force); }),
+      .either(
+          "torsion_moment", [](const auto& force) { return torsion_moment(force); },
           "Of a soft finger, about the inward normal [N m]; 0 in the plane.")
-      .def_property_readonly(
-          "friction_used", each<AnyForce>([](const auto& force) { return force.friction_used; }),
+      .either(
+          "friction_used", [](const auto& force) { return force.friction_used; },
           "tangential / (friction * normal), 0 to 1; 1 for a loaded frictionless contact,\n"
           "0 for an unloaded one. Of a soft finger the same with the moment: sqrt(|tangential|^2 "
           "+\n"
           "(torsion_moment friction / torsion)^2) / (friction * normal).")
-      .def_property_readonly("state", each<AnyForce>([](const auto& force) { return force.state; }))
-      .def_property_readonly("limit", each<AnyForce>([](const auto& force) { return force.limit; }))
+      .either("state", [](const auto& force) { return force.state; })
+      .either("limit", [](const auto& force) { return force.limit; })
       .def("__repr__", each<AnyForce>([](const auto& force) {
              std::string tangential;
              if constexpr (std::is_same_v<decltype(force.tangential), double>)
@@ -178,14 +174,9 @@ void add_forces(py::module_& module) {
                  .format(force.normal, tangential, to_string(force.state));
            }));
 
-  py::class_<AnyFinger>(module, "FingerForce", "What one finger does with all its contacts.")
-      .def_property_readonly("normal",
-                             each<AnyFinger>([](const auto& finger) { return finger.normal; }),
-                             "Sum of the normal forces [N].")
-      .def_property_readonly("force", each<AnyFinger>([](const auto& finger) -> Eigen::VectorXd {
-                               return finger.force;
-                             }),
-                             "On the object, in the object frame (2,) or (3,) [N].")
+  Class<AnyFinger>(module, "FingerForce")
+      .either("normal", [](const auto& finger) { return finger.normal; })
+      .either("force", [](const auto& finger) -> Eigen::VectorXd { return finger.force; })
       .def("__repr__", each<AnyFinger>([](const auto& finger) {
              return py::str("FingerForce(normal={:.6g} N, force={} N)")
                  .format(finger.normal, shown(finger.force));
@@ -193,32 +184,14 @@ void add_forces(py::module_& module) {
 }
 
 void add_holds(py::module_& module) {
-  py::class_<AnyHold>(module, "Hold",
-                      "The least contact forces in one posture, or the proof that the object "
-                      "cannot be held.")
-      .def_property_readonly("holdable",
-                             each<AnyHold>([](const auto& hold) { return hold.holdable; }))
-      .def_property_readonly("proven", each<AnyHold>([](const auto& hold) { return hold.proven; }),
-                             "Where unholdable: whether lower_bound is above the cap. Within "
-                             "rounding of the limit\nof holding there may be neither forces nor a "
-                             "proof.")
-      .def_property_readonly("effort", each<AnyHold>([](const auto& hold) { return hold.effort; }),
-                             "V = sum |f_i|^2 / share_i [N^2]; 0 where unholdable. Moments of soft "
-                             "fingers count in f_i.")
-      .def_property_readonly(
-          "dual", each<AnyHold>([](const auto& hold) -> Eigen::VectorXd { return hold.dual; }),
-          "Optimal dual y, a twist about the object frame's origin: velocity [N], angular "
-          "velocity\n"
-          "[N/m]; (3,) in the plane, (6,) in space.\n"
-          "Proof: V >= lower_bound = 2 (y . w - phi(G^T y)) for every force that balances w.")
-      .def_property_readonly("lower_bound",
-                             each<AnyHold>([](const auto& hold) { return hold.lower_bound; }),
-                             "On the effort, by dual [N^2].")
-      .def_property_readonly("residual",
-                             each<AnyHold>([](const auto& hold) { return hold.residual; }),
-                             "Balance error: the larger of force / W and moment / (W L).")
-      .def_property_readonly("forces", &forces,
-                             "A ContactForce for each contact; empty where unholdable.")
+  Class<AnyHold>(module, "Hold")
+      .either("holdable", [](const auto& hold) { return hold.holdable; })
+      .either("proven", [](const auto& hold) { return hold.proven; })
+      .either("effort", [](const auto& hold) { return hold.effort; })
+      .either("dual", [](const auto& hold) -> Eigen::VectorXd { return hold.dual; })
+      .either("lower_bound", [](const auto& hold) { return hold.lower_bound; })
+      .either("residual", [](const auto& hold) { return hold.residual; })
+      .attribute("forces", &forces)
       .def("__repr__", [](const AnyHold& any) {
         return std::visit(
             [&](const auto& hold) {
@@ -228,30 +201,28 @@ void add_holds(py::module_& module) {
             any.of);
       });
 
-  py::class_<AnyHolds>(module, "Holds",
-                       "The holds of hold_many, in order: a sequence of k Hold, its numbers also "
-                       "as arrays.")
+  Class<AnyHolds>(module, "Holds",
+                  "The holds of hold_many, in order: a sequence of k Hold, its numbers also "
+                  "as arrays.")
+      .attribute("holdable", numbers<bool>([](const auto& hold) { return hold.holdable; }),
+                 "(k,) bool")
+      .attribute("effort", numbers<double>([](const auto& hold) {
+                   return hold.holdable ? hold.effort : std::numeric_limits<double>::infinity();
+                 }),
+                 "(k,) [N^2]; inf where unholdable")
+      .attribute("lower_bound", numbers<double>([](const auto& hold) { return hold.lower_bound; }),
+                 "(k,) [N^2]")
+      .attribute("normal", &normals, "(k, n) for n contacts [N]; 0 where unholdable")
+      .attribute("tangential", &tangentials,
+                 "(k, n) for n contacts, in space (k, n, 3) [N]; 0 where unholdable")
+      .attribute("torsion_moment", &torsion_moments,
+                 "(k, n) for n contacts [N m]; 0 where unholdable")
       .def("__len__", each<AnyHolds>([](const auto& holds) { return holds.list.size(); }))
       .def("__iter__",
            [](const py::object& self) {
              return py::reinterpret_steal<py::iterator>(PySeqIter_New(self.ptr()));
            })
       .def("__getitem__", &hold_at, py::arg("index"))
-      .def_property_readonly(
-          "holdable", numbers<bool>([](const auto& hold) { return hold.holdable; }), "(k,) bool")
-      .def_property_readonly("effort", numbers<double>([](const auto& hold) {
-                               return hold.holdable ? hold.effort
-                                                    : std::numeric_limits<double>::infinity();
-                             }),
-                             "(k,) [N^2]; inf where unholdable")
-      .def_property_readonly("lower_bound",
-                             numbers<double>([](const auto& hold) { return hold.lower_bound; }),
-                             "(k,) [N^2]")
-      .def_property_readonly("normal", &normals, "(k, n) for n contacts [N]; 0 where unholdable")
-      .def_property_readonly("tangential", &tangentials,
-                             "(k, n) for n contacts, in space (k, n, 3) [N]; 0 where unholdable")
-      .def_property_readonly("torsion_moment", &torsion_moments,
-                             "(k, n) for n contacts [N m]; 0 where unholdable")
       .def("__repr__", each<AnyHolds>([](const auto& holds) {
              const auto held = std::count_if(holds.list.begin(), holds.list.end(),
                                              [](const auto& hold) { return hold.holdable; });
@@ -276,6 +247,31 @@ void add_hold(py::module_& module) {
              "The same for any load (3,) or (6,): force [N], moment [N m], about the object "
              "frame's\norigin, started at a twist y of that shape that was optimal for a load "
              "nearby.");
+  module.def(
+      "phi",
+      [](const AnyGrasp& any, const Eigen::VectorXd& y) {
+        return std::visit(
+            [&]<int Dim>(const Grasp<Dim>& grasp) {
+              return phi<Dim>(grasp, sized<wrench_size<Dim>>(y, "y"));
+            },
+            any.of);
+      },
+      py::arg("grasp"), py::arg("y"),
+      "phi(G^T y) [N^2] of a twist y (3,) or (6,) about the object frame's origin [N, N/m]: the\n"
+      "greatest value of f . G^T y - |f|^2 / 2 over all f in the cones.");
+  module.def(
+      "bound",
+      [](const AnyGrasp& any, const Eigen::VectorXd& load, const Eigen::VectorXd& y) {
+        return std::visit(
+            [&]<int Dim>(const Grasp<Dim>& grasp) {
+              constexpr int size = wrench_size<Dim>;
+              return bound<Dim>(grasp, sized<size>(load, "load"), sized<size>(y, "y"));
+            },
+            any.of);
+      },
+      py::arg("grasp"), py::arg("load"), py::arg("y"),
+      "What a twist y (3,) or (6,) proves of a load of that shape, both about the object frame's\n"
+      "origin: its effort is at least 2 (y . load - phi(G^T y)) [N^2], whatever y is.");
   module.def("hold_many", &hold_many, py::arg("grasp"), py::arg("ups"), py::kw_only(),
              py::arg("force_cap") = 1e6, unlocked,
              "The holds in many postures ups (k, 2) or (k, 3), in their order, on all cores.");

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "ask/claims.hpp"
+#include "docstrings.hpp"
 #include "poise/best_posture.hpp"
 #include "shape/shape.hpp"
 
@@ -100,6 +101,43 @@ const Grasp<Dim>& only(const AnyGrasp& grasp) {
                                        : "is in the plane, must be in space");
 }
 
+/// What the headers of the library say of a name, "Hold.effort".
+inline const char* comment(std::string name) {
+  if (name.ends_with('_')) name.pop_back();
+  const auto found = comments_of_headers.find(name);
+  return found == comments_of_headers.end() ? "" : found->second.c_str();
+}
+
+/// A class of Python. What has no words of its own has those of the header, where the class may
+/// have another name.
+template <class T, class... Options>
+class Class : public py::class_<T, Options...> {
+ public:
+  Class(py::module_& module, const char* name, const char* words = nullptr,
+        const char* name_in_header = nullptr)
+      : py::class_<T, Options...>(module, name, words ? words : comment(name)),
+        name_(name_in_header ? name_in_header : name) {}
+
+  /// An attribute: a member, or what `get` makes of the object.
+  template <class Get>
+  Class& attribute(const char* name, Get get, const char* words = nullptr) {
+    if (!words) words = comment(name_ + "." + name);
+    if constexpr (std::is_member_object_pointer_v<Get>)
+      this->def_readonly(name, get, words);
+    else
+      this->def_property_readonly(name, get, words);
+    return *this;
+  }
+  /// What `get` makes of what it has in either dimension.
+  template <class Get>
+  Class& either(const char* name, Get get, const char* words = nullptr) {
+    return attribute(name, each<T>(get), words);
+  }
+
+ private:
+  std::string name_;
+};
+
 /// Numbers as many as needed; `path` is their name in messages.
 template <int Size>
 Eigen::Matrix<double, Size, 1> sized(const Eigen::VectorXd& numbers, const std::string& path) {
@@ -121,6 +159,13 @@ Vector<Dim> unit(const Eigen::VectorXd& up, const std::string& path = "up") {
   const Vector<Dim> given = sized<Dim>(up, path);
   if (!given.allFinite() || given.isZero(0)) throw InvalidGrasp(path, "must be a direction");
   return given.stableNormalized();
+}
+
+/// A Tilt, or None.
+inline std::optional<Tilt> read_tilt(const py::object& tilt) {
+  if (tilt.is_none()) return {};
+  return Tilt{unit<3>(tilt.attr("from_").cast<Eigen::VectorXd>(), "tilt.from_"),
+              tilt.attr("most").cast<double>()};
 }
 
 /// A force cap [weights], in the range of the program's --force-cap.

@@ -214,7 +214,7 @@ struct BestDocument {
     if constexpr (Dim == 3) visit("minima_complete", minima_complete);
     visit("lower_bound", lower_bound, "relative_gap", relative_gap);
     if constexpr (Dim == 3)
-      return visit("holds", holds, "rotation", rotation, "orientation", orientation, "cuts", cuts);
+      return visit("holds", holds, "orientation", orientation, "rotation", rotation, "cuts", cuts);
     visit("arcs", arcs, "unholdable_arcs", unholdable_arcs);
     visit("holdable_arcs_deg", holdable_arcs_deg);
   }

@@ -600,6 +600,66 @@ class Capacities(unittest.TestCase):
         self.assertEqual([(c.min_normal, c.max_normal) for c in free], [(0, 0), (0, math.inf)])
 
 
+class Verify(unittest.TestCase):
+    def test_answers_are_confirmed_and_spoilt_ones_are_not(self):
+        rng = np.random.default_rng(23)
+        tilt = poise.Tilt([0, 0, 1], 0.5)
+        for grasp, settings in [
+            (disk(), {}),
+            (disk(), {"domain": poise.Domain.pinched}),
+            (random_grasp(rng, 3), {}),
+            (random_spatial_grasp(rng, 4), {}),
+            (random_spatial_grasp(rng, 4), {"gap": 1e-2, "tilt": tilt}),
+        ]:
+            best = poise.best_posture(grasp, **settings)
+            verdict = poise.verify(grasp, best, **settings)
+            self.assertTrue(verdict, verdict.refuted)
+            heavier = poise.with_weight(grasp, 1.01 * grasp.object.weight)
+            refuted = poise.verify(heavier, best, **settings)
+            self.assertFalse(refuted)
+            self.assertGreater(refuted.refuted[0].off, refuted.refuted[0].allowed)
+            up = rng.normal(size=grasp.dimension)
+            hold = poise.hold(grasp, up)
+            self.assertTrue(poise.verify(grasp, hold, up).confirmed)
+            self.assertFalse(poise.verify(grasp, hold, -up).confirmed)
+
+    def test_documents(self):
+        for name in ["l-part", "bottle", "tray"]:
+            file = poise.load(ROOT / "examples" / f"{name}.yaml")
+            grasp = poise.Grasp(file.object, file.contacts, file.safety)
+            for command in ["check", "hold", "best", "capacity"]:
+                document = answer(command, ROOT / "examples" / f"{name}.yaml")
+                self.assertTrue(poise.verify(grasp, document), (name, command))
+                self.assertTrue(poise.verify(grasp, json.dumps(document)))
+            document["capacities"][0]["weight"]["given"] *= 2
+            self.assertIn("capacities[0]", repr(poise.verify(grasp, document)))
+        with self.assertRaises(poise.FileError):
+            poise.verify(grasp, "{}")
+
+    def test_bounds(self):
+        rng = np.random.default_rng(29)
+        for grasp in [random_grasp(rng, 3), random_spatial_grasp(rng, 4)]:
+            up = rng.normal(size=grasp.dimension)
+            load = grasp.load(up)
+            hold = poise.hold(grasp, up)
+            for y in [hold.dual, *rng.normal(size=(20, len(load)))]:
+                bound = poise.bound(grasp, load, y)
+                self.assertAlmostEqual(bound, 2 * (y @ load - poise.phi(grasp, y)))
+                if hold.holdable:
+                    self.assertLessEqual(bound, hold.effort * (1 + 1e-9))
+
+    def test_a_grasp_with_several_loads_is_its_scenarios(self):
+        file = poise.load(ROOT / "examples" / "bottle.yaml")
+        grasp = poise.Grasp(file.object, file.contacts, file.safety)
+        best = poise.best_posture(grasp)
+        self.assertEqual(best.best.up.tolist(), poise.best_posture(file.grasps()).best.up.tolist())
+        self.assertEqual(len(grasp.object), len(file.object))
+        efforts = [poise.hold(each, best.best.up).effort for each in file.grasps()]
+        self.assertEqual(poise.hold(grasp, best.best.up).effort, max(efforts))
+        again = pickle.loads(pickle.dumps(grasp))
+        self.assertEqual(again.object[1].com.tolist(), file.object[1].com.tolist())
+
+
 class Records(unittest.TestCase):
     def test_they_are_those_of_the_program(self):
         rng = np.random.default_rng(19)

@@ -91,7 +91,11 @@ class Stub(unittest.TestCase):
 
     def test_names_are_those_of_cpp(self):
         # Settings are keywords, linear algebra is numpy's, words of enumerations are their names.
-        elsewhere = {"CurveSettings", "HoldSettings", "SpatialSettings", "ScaledGrasp"}
+        # A hand with its loads is a Grasp, a load an Object; postures are told by their holds.
+        elsewhere = {"CurveSettings", "HoldSettings", "SpatialSettings", "Hand", "Load"}
+        elsewhere |= {"Posture", "posture_of", "Minimum", "minimum_at", "Best", "Proof"}
+        elsewhere |= {"Turn", "turn_to", "orientation_of", "force_vector"}
+        elsewhere |= {"for_each_contact_field"}
         elsewhere |= {"SmallVector", "Twist", "Vector", "Wrench", "to_string"}
         elsewhere |= {"contact_size", "wrench_size"}
         found = set()

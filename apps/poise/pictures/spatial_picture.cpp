@@ -322,22 +322,14 @@ void draw_legend(Canvas& canvas, const Picture& picture) {
   if (!picture.pushes.empty()) entry("finger force", force_colour, true, {});
 }
 
-}  // namespace
-
-void draw_posture(const SpatialFile& file, const Grasp<3>& grasp, const Posture<3>& posture,
-                  const std::string& words, const std::string& path) {
-  const auto& contacts = grasp.contacts();
-  Picture picture = picture_of(file, grasp, posture);
-  const Eigen::Quaterniond orientation = orientation_of(posture.up);
-  View view = view_from(best_azimuth(picture, orientation), orientation);
-
-  // All that is drawn, in the middle and as large as there is room for.
+/// All that is drawn, in the middle and as large as there is room for.
+void fit(View& view, const Picture& picture) {
   Rectangle all;
   const auto include = [&](const Vector<3>& point) {
     all.extend(Vector<2>(point.dot(view.right), point.dot(view.upwards)));
   };
   for (const Vector<3>& vertex : picture.mesh.vertices) include(vertex);
-  for (const Contact<3>& contact : contacts)
+  for (const Contact<3>& contact : picture.grasp.contacts())
     include(contact.position - picture.cone_length * contact.normal);
   for (const Push& push : picture.pushes) include(push.tail);
   include(picture.load.com);
@@ -346,40 +338,46 @@ void draw_posture(const SpatialFile& file, const Grasp<3>& grasp, const Posture<
                   room(page_width - 2 * side, page_height - top - bottom - 40);
   view.centre = centre.x() * view.right + centre.y() * view.upwards;
   view.scale = std::min(room.x() / all.sizes().x(), room.y() / all.sizes().y());
+}
 
+Body body_in(const View& view, const Picture& picture) {
   View fine = view;
   fine.scale *= per_point;
   fine.middle *= per_point;
-  const Body body(picture.mesh, fine, static_cast<int>(per_point * page_width),
-                  static_cast<int>(per_point * page_height));
-  std::vector<std::size_t> order(contacts.size());  // from behind to the front
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return view.nearness(contacts[a].position) < view.nearness(contacts[b].position);
-  });
-  std::vector<bool> behind(contacts.size());
-  for (const std::size_t i : order) behind[i] = hidden(picture, body, contacts[i]);
-  for (Push& push : picture.pushes) push.hidden = behind[push.contact];
+  return {picture.mesh, fine, static_cast<int>(per_point * page_width),
+          static_cast<int>(per_point * page_height)};
+}
 
-  Canvas canvas(page_width, page_height, path.ends_with(".svg"));
-  const auto draw_contacts = [&](bool averted) {
-    for (const std::size_t i : order) {
-      if ((contacts[i].normal.dot(view.toward) > 0) != averted) continue;
-      draw_pad(canvas, view, picture, contacts[i]);
-      draw_cone(canvas, view, picture, contacts[i]);
-    }
+/// The object between the contacts behind it and those before it, and the vertical through its com.
+void draw_held_object(Canvas& canvas, const View& view, const Picture& picture, const Body& body) {
+  std::vector<Contact<3>> contacts = picture.grasp.contacts();  // from behind to the front
+  std::sort(contacts.begin(), contacts.end(), [&](const Contact<3>& a, const Contact<3>& b) {
+    return view.nearness(a.position) < view.nearness(b.position);
+  });
+  const auto averted = [&](const Contact<3>& contact) {
+    return contact.normal.dot(view.toward) > 0;
   };
-  draw_contacts(true);
+  const auto draw = [&](const Contact<3>& contact) {
+    draw_pad(canvas, view, picture, contact);
+    draw_cone(canvas, view, picture, contact);
+  };
+  for (const Contact<3>& contact : contacts)
+    if (averted(contact)) draw(contact);
   canvas.image(body.shaded(0.86), body.width() / 2, body.height() / 2);
   const Vector<2> com = view.at(picture.load.com);
   canvas.line({{com.x(), top}, {com.x(), page_height - bottom}}, Colour(line_colour), 1.2, {2, 4});
-  draw_contacts(false);
+  for (const Contact<3>& contact : contacts)
+    if (!averted(contact)) draw(contact);
   // Nothing else shows what the contacts are contacts of.
   if (picture.mesh.triangles.empty() && contacts.size() <= 16)
     for (const Contact<3>& contact : contacts)
       canvas.line({com, view.at(contact.position)}, Colour(line_colour), 0.8, {5, 3});
+}
 
-  const double arrow = contacts.size() > 8 ? 2 : 3.2;
+/// Arrows of forces and the weight, with labels that hide none of them.
+void draw_forces(Canvas& canvas, const View& view, const Picture& picture) {
+  const double arrow = picture.grasp.contacts().size() > 8 ? 2 : 3.2;
+  const Vector<2> com = view.at(picture.load.com);
   std::vector<std::pair<Vector<2>, Vector<2>>> lines{{com, view.at(picture.weight)}};
   for (const Push& push : picture.pushes) {
     const Vector<2> from = view.at(push.tail), to = view.at(push.head);
@@ -389,12 +387,27 @@ void draw_posture(const SpatialFile& file, const Grasp<3>& grasp, const Posture<
   }
   canvas.arrow(com, view.at(picture.weight), Colour(weight_colour), 3.2);
   canvas.dot(com, 5, Colour(weight_colour));
-
   std::vector<Label> labels = finger_labels(picture, view);
   labels.push_back(
       {{{newtons(picture.load.weight), weight_colour}}, view.at(picture.weight), Vector<2>(0, 1)});
   draw_labels(canvas, labels, lines);
+}
 
+}  // namespace
+
+void draw_posture(const SpatialFile& file, const Grasp<3>& grasp, const Posture<3>& posture,
+                  const std::string& words, const std::string& path) {
+  Picture picture = picture_of(file, grasp, posture);
+  const Eigen::Quaterniond orientation = orientation_of(posture.up);
+  View view = view_from(best_azimuth(picture, orientation), orientation);
+  fit(view, picture);
+  const Body body = body_in(view, picture);
+  for (Push& push : picture.pushes)
+    push.hidden = hidden(picture, body, grasp.contacts()[push.contact]);
+
+  Canvas canvas(page_width, page_height, path.ends_with(".svg"));
+  draw_held_object(canvas, view, picture, body);
+  draw_forces(canvas, view, picture);
   const auto centred = [&](const std::string& line, double y, double size, bool bold) {
     canvas.text(line, {(page_width - canvas.text_width(line, size, bold)) / 2, y}, size,
                 Colour("#000000"), bold);
