@@ -1,7 +1,7 @@
 // How hard must the fingers press, as the part is held now?
 #include <cstdio>
 
-#include "poise/hold.hpp"
+#include "poise/posture.hpp"
 
 int main() {
   // An L-shaped part of 0.13 kg, its upright leg between two fingers. Metres, newtons.

@@ -9,7 +9,7 @@ namespace {
 void print(const char* what, const poise::Grasp<2>& grasp, const poise::Minimum<2>& posture) {
   std::printf("%s: turned by %.2f degrees, %s: grip force %.3f N\n", what,
               posture.optimum.angle * 180 / std::numbers::pi, poise::to_string(posture.manner),
-              poise::grip_force(grasp, posture.hold));
+              posture.grip_force);
 }
 
 }  // namespace

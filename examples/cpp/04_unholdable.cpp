@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "poise/hold.hpp"
+#include "poise/posture.hpp"
 
 int main() {
   // A cube of 1 kg between two slippery fingers that are not opposite to each other.
