@@ -1,5 +1,6 @@
 // How fast Poise answers in space, in yardsticks: one yardstick is one Eigen fixed-size 6 x 6 LDLT
 // factor-and-solve. Each row is the median over seeded random grasps, p95 their 95th percentile.
+#include <Eigen/Geometry>
 #include <random>
 
 #include "measure.hpp"

@@ -5,7 +5,7 @@
 #include <new>
 #include <random>
 
-#include "poise/hold.hpp"
+#include "poise/posture.hpp"
 
 namespace {
 volatile std::size_t allocations = 0;  // compilers think that malloc changes nothing

@@ -159,7 +159,7 @@ TEST(PaperExact, CaseListIsTheGeneralSolver) {
     const HeldDisk disk = random.any();
     const Best<2> best = best_posture(grasp_of(disk), {.domain = Domain::pinched});
     std::vector<Optimum> found;
-    for (const Minimum<2>& posture : best.minima) found.push_back(posture.optimum);
+    for (const poise::Minimum<2>& posture : best.minima) found.push_back(posture.optimum);
     std::sort(found.begin(), found.end(),
               [](const Optimum& one, const Optimum& two) { return one.angle < two.angle; });
     const std::vector<Minimum> expected = minima(disk);
@@ -204,7 +204,7 @@ TEST(PaperTheorem, EveryKinkWithBothSlippingIsWhereEdgesMeet) {
     const Contact<2> one = contact(), two = contact();
     const Grasp<2> grasp({1, {random(-1, 1), random(-1, 1)}}, {one, two});
     const std::vector<BothSlip> meetings = both_slip(grasp);
-    for (const Minimum<2>& minimum : best_posture(grasp).minima) {
+    for (const poise::Minimum<2>& minimum : best_posture(grasp).minima) {
       if (minimum.optimum.kind != Kind::kink || !minimum.two_slipping) continue;
       if (minimum.optimum.effort > 1e6) continue;  // nearly parallel edges
       ++kinks;

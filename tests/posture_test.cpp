@@ -47,7 +47,8 @@ TEST(CradledWedge, OfADiskIsBetweenItsFingers) {
 }
 
 TEST(CradledWedge, IsAboveTheContactsWhereTheComIs) {
-  const Interval wedge = cradled_wedge(at_points({0, 1}, {{1, 0}, {0, -3}, {-1, 0}}));
+  const Grasp<2> grasp = at_points({0, 1}, {{1, 0}, {0, -3}, {-1, 0}});
+  const Interval wedge = cradled_wedge(grasp, grasp.center());
   EXPECT_NEAR(wedge.from, -pi / 4, 1e-14);
   EXPECT_NEAR(wedge.to, pi / 4, 1e-14);
 }
@@ -74,7 +75,8 @@ TEST(CradledWedge, IsEmptyWhereNothingIsCradled) {
 }
 
 TEST(CradledWedge, IsNearlyHalfTheCircleJustOutsideOfTheHull) {
-  const Interval wedge = cradled_wedge(at_points({0, 0}, {{1, -1e-8}, {-1, -1e-8}, {0, -1}}));
+  const Grasp<2> grasp = at_points({0, 0}, {{1, -1e-8}, {-1, -1e-8}, {0, -1}});
+  const Interval wedge = cradled_wedge(grasp, grasp.center());
   EXPECT_NEAR(wedge.from, -pi / 2, 1e-7);
   EXPECT_NEAR(wedge.to, pi / 2, 1e-7);
   EXPECT_LT(wedge.to - wedge.from, pi);
