@@ -29,7 +29,7 @@ struct Contact {
   /// 1e12 times friction times the radius of the grasp.
   double torsion{0};
 
-  bool operator==(const Contact&) const = default;
+  bool operator==(const Contact&) const = default;  ///< field by field
 };
 
 /// The fields of a contact, each with the name that files, documents and Python have for it: calls

@@ -23,7 +23,7 @@ class Grasp : public Hand<Dim> {
   template <std::same_as<std::vector<Load<Dim>>> Loads>
   Grasp(Loads loads, std::vector<Contact<Dim>> contacts, double safety = 1);
 
-  const std::vector<Load<Dim>>& loads() const { return loads_; }
+  const std::vector<Load<Dim>>& loads() const { return loads_; }  ///< at least one
   /// The greatest weight of the loads [N].
   double weight() const { return weight_; }
 

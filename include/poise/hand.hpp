@@ -48,7 +48,7 @@ class Hand {
 
   /// The contacts in the units in which the solver works.
   struct Scaled;
-  const Scaled& scaled() const { return *scaled_; }
+  const Scaled& scaled() const { return *scaled_; }  ///< for the solver
 
  private:
   std::vector<Contact<Dim>> contacts_;

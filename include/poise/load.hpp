@@ -21,7 +21,7 @@ struct Load {
   /// the object frame's origin [N, N m]: w = W (up, com x up) + fixed.
   Wrench<Dim> at(const Vector<Dim>& up) const;
 
-  bool operator==(const Load&) const = default;
+  bool operator==(const Load&) const = default;  ///< field by field
 };
 
 }  // namespace poise

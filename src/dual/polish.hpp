@@ -35,7 +35,8 @@ template <int Dim>
       const double left = 4 * rounding_of<double> * (1 + std::sqrt(squared_norm(trial)));
       if (error <= left) break;
       if (step == 12 || !(error <= 0.5 * before)) {
-        if (!(error <= 16 * left)) return false;
+        // An imbalance beyond rounding shows in the effort where y is long.
+        if (!(error <= std::max(2 * left, 0.1 * delta))) return false;
         break;
       }
       const Twist<Dim> dy = newton_step(curvature<Dim, double>(cones, trial), trial.residual);

@@ -17,44 +17,25 @@ import reference  # noqa: E402
 OWN_WORDS = {
     "Arc.first_state",
     "Arc.y",
-    "BestPosture.best",
-    "BestPosture.best_pinched",
-    "BestPosture.pinched",
-    "BestPosture.worst",
-    "BestSpatialPosture.best_pinched",
-    "Capacity.safe",
     "Contact",
     "ContactForce.friction_used",
     "ContactForce.tangential",
     "ContactForce.torsion_moment",
-    "Cut.n",
     "Cut.y",
-    "Deciding.slipping",
-    "FingerForce.force",
+    "Domain",
     "Grasp",
-    "Grasp.contacts",
-    "Grasp.finger_of",
-    "Grasp.load",
-    "Grasp.object",
     "Harmonic2.slope",
-    "Hold.dual",
-    "Hold.forces",
-    "LeastFriction.dual",
-    "Object",
-    "Optimum.from_",
-    "PlanarPosture.edges_meet",
-    "PostureCurve.holdable",
-    "PostureCurve.optima",
+    "InvalidGrasp",
+    "LeastFriction.factor",
     "PostureCurve.states",
-    "PostureCurve.undecided",
-    "SpatialPosture.scenario",
-    "SpatialPosture.up",
     "Tilt",
     "UnholdableArc",
     "WeightEnd.dual",
-    "WeightRange.greatest",
+    "WeightEnd.weight",
+    "all_loaded",
     "angle_of",
     "best_posture",
+    "bound",
     "capacity",
     "cradled",
     "cradled_wedge",
@@ -64,6 +45,8 @@ OWN_WORDS = {
     "hold",
     "least_friction",
     "manner",
+    "phi",
+    "posture_at",
     "posture_curve",
     "reason",
     "smallest_turn",
@@ -127,18 +110,18 @@ class Reference(unittest.TestCase):
     def test_damage_is_seen(self):
         whole = (reference.HEADERS / "grasp.hpp").read_text(encoding="utf-8")
         for damaged in [
-            whole.replace("class Grasp {", "class Grasp { (", 1),
+            whole.replace("class Grasp : public Hand<Dim> {", "class Grasp : public Hand<Dim> { (", 1),
             whole.replace("}  // namespace poise", "}"),
             whole.replace("#pragma once\n", "#pragma once\n#define X 1\n"),
-            whole.replace("/// An object and its contacts", "\n/// Lost.\n\n/// An object and its contacts"),
+            whole.replace("/// A hand with what", "\n/// Lost.\n\n/// A hand with what"),
         ]:
             self.assertNotEqual(damaged, whole)
             with self.assertRaises(headers.Unread):
                 headers.parse("grasp", damaged)
-        silent = whole.replace("  /// What is held.\n", "")
+        silent = whole.replace("  /// The greatest weight of the loads [N].\n", "")
         self.assertEqual(
             headers.silent(headers.parse("grasp", silent)),
-            ["grasp.hpp:40: Grasp::object has no comment"],
+            ["grasp.hpp:28: Grasp::weight has no comment"],
         )
 
 
