@@ -143,12 +143,13 @@ RC_GTEST_PROP(SpaceCone, FeelsATwistAsTheColumnsOfTheGraspMatrixDo, ()) {
     const Contact<3>& contact = lanes.hand.contacts()[i];
     const Vector4 at(z.normal[i], z.a[i], z.b[i], z.turn[i]);
     if (contact.friction > 0)
-      RC_ASSERT((dual::columns(lanes.lane(), i).transpose() * y - at).norm() <= 1e-13);
+      RC_ASSERT((dual::columns(lanes.lane(), i).transpose() * y - at).norm() <=
+                1e-13 * (1 + at.norm()));
     // About the origin, in meters.
     Twist<3> in_meters = y;
     in_meters.tail<3>() *= lanes.hand.scaled().per_length;
     const auto slide = dual::slide<long double>(contact, in_meters);
-    RC_ASSERT(std::abs(static_cast<double>(slide.normal) - at[0]) <= 1e-14);
+    RC_ASSERT(std::abs(static_cast<double>(slide.normal) - at[0]) <= 1e-13 * (1 + at.norm()));
     RC_ASSERT(std::abs(static_cast<double>(slide.beside) - at.tail<3>().norm()) <=
               1e-13 * (1 + at.norm()));
   }
