@@ -44,7 +44,7 @@ Reply reply(const Asked& asked, const FileOf<Dim>& file, const Grasp<Dim>& grasp
   const AnswerTo<Dim> answer = ask(file, grasp, asked.question);
   const auto table = [&](const auto& own) { return report(file, grasp, own, style_of_output()); };
   return {asked.json ? document(file, grasp, answer) : std::visit(table, answer.of),
-          holdable(answer)};
+          holdable(answer), proven(answer)};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace {
 
-enum Status { can_be_held = 0, cannot_be_held = 1, bad_input = 2, defect = 3 };
+enum Status { can_be_held = 0, cannot_be_held = 1, bad_input = 2, defect = 3, undecided = 4 };
 
 void complain(const std::string& problem) {
   std::fputs(("poise: " + problem + "\n").c_str(), stderr);
@@ -34,7 +34,7 @@ int run(int argc, char** argv) {
     return print(*text) ? can_be_held : bad_input;
   const poise::Reply reply = std::get<poise::Run>(asked)();
   if (!print(reply.text)) return bad_input;
-  return reply.yes ? can_be_held : cannot_be_held;
+  return reply.yes ? can_be_held : reply.proven ? cannot_be_held : undecided;
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ Reply draw(const Drawing& drawing) {
     warn(file.warnings);
     const auto shown = posture_to_show(file, grasp, drawing.question);
     draw_posture(file, grasp, shown.posture, caption(grasp, shown), drawing.out);
-    return Reply{"Drawn in " + drawing.out + "\n", shown.posture.holdable()};
+    return Reply{"Drawn in " + drawing.out + "\n", shown.posture.holdable(),
+                 shown.posture.hold().proven};
   });
 }
 
