@@ -44,6 +44,13 @@ bool SearchState::is_in_domain(const Vector<3>& up) const {
                      [&](const TiltCone& cone) { return cone.excess(up) <= domain_rounding; });
 }
 
+bool SearchState::is_cut_off(const Vector<3>& up) const {
+  const double at = wanted_target();
+  return std::any_of(half_spaces.begin(), half_spaces.end(), [&](const HalfSpace& half_space) {
+    return half_space.normal.dot(up) > oracle.offset(half_space, at);
+  });
+}
+
 /// To the planes that motions without resistance leave, where it is on them but for rounding.
 Vector<3> SearchState::snapped(const Vector<3>& x) const {
   const auto is_on = [&](const Plane& plane) { return std::abs(plane.n.dot(x)) < on_thin; };

@@ -77,6 +77,8 @@ struct SearchState {
     return on_tight_planes(up, planes).posture(up);
   }
   bool is_in_domain(const Vector<3>& up) const;
+  /// Whether what was found proves that the posture is not better than the best.
+  bool is_cut_off(const Vector<3>& up) const;
 
  private:
   Polytope cube() const;
