@@ -130,7 +130,7 @@ TEST(MendedMesh, LeavesOutWhatStandsTwice) {
   // Two boxes with a wall between them.
   const Mesh neighbour = moved(box, Eigen::Affine3d(Eigen::Translation3d(2, 0, 0)));
   EXPECT_EQ(repairs_of(together(box, neighbour), 6, Vector3d(2, 1.5, 0.25)),
-            Strings{"had 4 triangles twice, facing opposite ways: they were left out"});
+            Strings{"had 4 triangles twice that bound nothing: they were left out"});
 }
 
 TEST(MendedMesh, TakesPartsThatDoNotOverlapAsOneBody) {

@@ -1,12 +1,11 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include "readers/regular_file.hpp"
+#include "readers/readers.hpp"
 
 namespace poise::readers {
 
 Inertial read_inertial(const std::string& file, const std::string& name) {
-  check_regular_file(file);
   console_bridge::noOutputHandler();
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDFFile(file);
   if (!model) throw ReadError("is not a robot model (URDF)");

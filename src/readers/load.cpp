@@ -1,5 +1,6 @@
 #include <dlfcn.h>
 
+#include "readers/input.hpp"
 #include "readers/modules.hpp"
 
 namespace poise {
@@ -22,17 +23,19 @@ const DataModule& data_module() { return loaded<DataModule>("libpoise-data.so");
 
 }  // namespace
 
-Mesh read_mesh(const std::string& file) { return mesh_module().mesh(file); }
-
 std::unique_ptr<TriangleFinder> triangle_finder(const Mesh& mesh) {
   return mesh_module().finder(mesh);
 }
 
 Inertial read_inertial(const std::string& urdf, const std::string& link) {
+  check_input(urdf);
   return mesh_module().inertial(urdf, link);
 }
 
-AcronymData read_acronym(const std::string& file) { return data_module().acronym(file); }
+AcronymData read_acronym(const std::string& file) {
+  check_input(file);
+  return data_module().acronym(file);
+}
 
 void add_arrays(const std::string& file, const std::string& group,
                 const std::vector<NamedArray>& arrays) {

@@ -5,9 +5,8 @@
 
 namespace poise {
 
-/// assimp, urdfdom and Embree.
+/// urdfdom and Embree.
 struct MeshModule {
-  decltype(&read_mesh) mesh;
   decltype(&read_inertial) inertial;
   decltype(&triangle_finder) finder;
 };
