@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -115,10 +116,10 @@ Mesh welded(const Mesh& mesh, double tolerance) {
   // In cells twice as wide, what is near to a point lies in one of eight.
   using Cell = std::array<long long, 3>;
   const auto hash = [](const Cell& cell) {
-    std::size_t sum = 0;
+    std::uint64_t sum = 0;
     for (const long long part : cell)
-      sum = (sum ^ static_cast<std::size_t>(part)) * 0x9E3779B97F4A7C15ULL;
-    return sum ^ sum >> 32;
+      sum = (sum ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15ULL;
+    return static_cast<std::size_t>(sum ^ sum >> 32);
   };
   std::unordered_map<Cell, std::vector<int>, decltype(hash)> cells(mesh.vertices.size(), hash);
   const auto cell_of = [](const Vector3d& p) {
