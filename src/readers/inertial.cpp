@@ -5,9 +5,9 @@
 
 namespace poise::readers {
 
-Inertial read_inertial(const std::string& file, const std::string& name) {
+Inertial read_inertial(const std::string& xml, const std::string& name) {
   console_bridge::noOutputHandler();
-  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDFFile(file);
+  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(xml);
   if (!model) throw ReadError("is not a robot model (URDF)");
   const urdf::LinkConstSharedPtr link = model->getLink(name);
   if (!link) {

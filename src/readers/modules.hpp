@@ -7,7 +7,7 @@ namespace poise {
 
 /// urdfdom and Embree.
 struct MeshModule {
-  decltype(&read_inertial) inertial;
+  Inertial (*inertial)(const std::string& xml, const std::string& link);
   decltype(&triangle_finder) finder;
 };
 

@@ -372,21 +372,30 @@ bool overlap(const AlignedBox3d& a, const AlignedBox3d& b, double tolerance) {
   return !common.isEmpty() && common.sizes().minCoeff() > tolerance;
 }
 
+/// Whether any two boxes do, or there are too many to tell.
+bool any_overlap(std::vector<AlignedBox3d> boxes, double tolerance) {
+  constexpr std::size_t most = 100'000'000;
+  std::size_t compared = 0;
+  std::sort(boxes.begin(), boxes.end(),
+            [](const AlignedBox3d& a, const AlignedBox3d& b) { return a.min().x() < b.min().x(); });
+  for (auto a = boxes.begin(); a != boxes.end(); ++a)
+    for (auto b = a + 1; b != boxes.end() && b->min().x() <= a->max().x(); ++b)
+      if (++compared > most || overlap(*a, *b, tolerance)) return true;
+  return false;
+}
+
 /// Turns each part inside in; says what it did, and what is wrong.
 void turn_parts(Oriented& oriented, std::vector<std::string>& repairs) {
   Mesh& mesh = oriented.mesh;
   std::vector<AlignedBox3d> boxes(oriented.parts);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     boxes[oriented.part[t]].extend(box_of(mesh, mesh.triangles[t]));
-  const double size = size_of(bounds(mesh));
-  for (std::size_t a = 0; a < boxes.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b)
-      if (overlap(boxes[a], boxes[b], 1e-9 * size)) {
-        oriented.defect = "has " + std::to_string(boxes.size()) +
-                          " parts that may overlap or lie within each other: what is solid is not "
-                          "known";
-        return;
-      }
+  if (any_overlap(boxes, 1e-9 * size_of(bounds(mesh)))) {
+    oriented.defect = "has " + std::to_string(boxes.size()) +
+                      " parts that may overlap or lie within each other: what is solid is not "
+                      "known";
+    return;
+  }
   std::vector<double> volumes(oriented.parts);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     volumes[oriented.part[t]] +=
