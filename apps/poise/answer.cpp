@@ -4,13 +4,14 @@
 #include <map>
 
 #include "ask/document.hpp"
+#include "shape/characters.hpp"
 #include "tables/report.hpp"
 
 namespace poise {
 
 void warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings)
-    std::fputs(("poise: " + warning + "\n").c_str(), stderr);
+    std::fputs(("poise: " + harmless(warning) + "\n").c_str(), stderr);
 }
 
 UsageError usage_error(const Misfit& misfit, const std::string& file) {
