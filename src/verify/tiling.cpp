@@ -39,6 +39,16 @@ Chain chain_in(Real from, Real to, const std::vector<RealArc>& arcs, std::vector
   return chain;
 }
 
+/// The greatest length of arcs in a row that are too narrow to prove anything.
+Real narrow_in(const Chain& chain) {
+  Real widest = 0, width = 0;
+  for (const RealArc& arc : chain.arcs) {
+    width = arc.is_sliver() ? width + arc.to - arc.from : 0;
+    widest = std::max(widest, width);
+  }
+  return widest;
+}
+
 /// How far the arcs of a chain are from tiling an interval.
 Real gap_in(const Chain& chain, Real from, Real to) {
   if (chain.arcs.empty()) return 2 * pi;
@@ -70,6 +80,8 @@ std::vector<Chain> check_tiling(Verdict& verdict, const std::vector<RealArc>& ar
     Chain chain = chain_in(from, to, arcs, used);
     chain.circle = whole;
     verdict.check(place, "arcs tile the interval [rad]", gap_in(chain, from, to), end_slack);
+    verdict.check(place, "few arcs are too narrow to prove anything [rad]", narrow_in(chain),
+                  most_narrow);
     if (!chain.arcs.empty()) chains.push_back(std::move(chain));
   }
   for (std::size_t i = 0; i < arcs.size(); ++i) {
