@@ -223,6 +223,8 @@ void check_postures(Verdict& verdict, const RealGrasp& grasp, const CapacityDocu
                      : now ? names == Names{"now"} || names == Names{"now", "best"}
                            : names == Names{"best"} || names == Names{"upright"};
   verdict.check(list, "the postures are those asked for", right);
+  if (names.back() == "now" || names.back() == "upright")
+    verdict.unchecked(list, "whether there is a best posture: ask for best");
 }
 
 }  // namespace

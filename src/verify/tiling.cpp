@@ -86,6 +86,11 @@ std::vector<Chain> check_tiling(Verdict& verdict, const std::vector<RealArc>& ar
   }
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     const RealArc& arc = arcs[i];
+    const auto same = [&](const RealArc& other) {
+      return other.from == arc.from && other.to == arc.to;
+    };
+    verdict.check(arc.place, "arcs are listed once",
+                  std::none_of(arcs.begin(), arcs.begin() + static_cast<std::ptrdiff_t>(i), same));
     verdict.check(arc.place, "arc lies in a holdable interval", used[i]);
     if (domain.circle) continue;
     const Real from = unwound(arc.from, domain.from);
