@@ -85,13 +85,14 @@ void check_effort(Verdict& verdict, const RealArc& arc, const Mat3& Q, Real weig
                   1e-11L + 4e-15L * std::sqrt(scale) / weight);
 }
 
-/// Checks that y proves V.
-void check_proof(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc) {
+/// Checks that y proves V, but for what its rounding to doubles takes.
+void check_proof(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc, Real digits) {
   for (int k = 0; k <= 4; ++k) {
     const Real theta = arc.from + (arc.to - arc.from) * k / 4, V = arc.V(theta);
     const Vec y = arc.y * harmonics(theta), w = wrench(grasp.loads.front(), up_at(theta));
     const Real off = std::abs(V - bound(grasp, w, y)) + bound_rounding(grasp, w, y);
-    verdict.check(arc.place / "V", "V is what y proves [of V]", V > 0 ? off / V : 1, 1e-6L);
+    verdict.check(arc.place / "V", "V is what y proves [of V]", V > 0 ? off / V : 1,
+                  1e-6L + 4 * digits);
   }
 }
 
@@ -113,7 +114,7 @@ void check_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
     verdict.check(arc.place, "forces balance the load along the arc [weights]",
                   relative_size(forces.off * harmonics(theta), load), 1e-11L + digits);
   check_effort(verdict, arc, forces.Q, load.weight);
-  check_proof(verdict, grasp, arc);
+  check_proof(verdict, grasp, arc, digits);
   const Real cap = force_cap * load.weight;
   verdict.check(arc.place, "V is within the force cap: V / cap^2",
                 arc.V.greatest(arc.from, arc.to) / (cap * cap), 1 + 1e-6L);

@@ -84,7 +84,7 @@ class Walk {
         use(piece.y_from);
         use(piece.y_to);
       }
-    least_ = std::min(least_, best * (1 + 2e-6L));
+    least_ = std::min(least_, best);
   }
 
   void pass(const Piece& piece) {

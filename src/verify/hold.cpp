@@ -208,8 +208,9 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
   const Real cap = force_cap * load.weight;
   const Real proven =
       dual.bound - dual.rounding - 2 * delta * imbalance_power(load, real(hold.dual));
-  verdict.check(of_bound, "lower_bound follows from dual", difference(hold.lower_bound, proven),
-                1e-6L);
+  const Real above = hold.lower_bound / proven - 1;
+  verdict.check(of_bound, "lower_bound is not above what dual proves", above, 1e-6L);
+  verdict.check(of_bound, "lower_bound is not far below what dual proves", -above, 1e-2L);
   verdict.check(place, "dual proves that the force cap is not enough: cap^2 / bound",
                 proven > 0 ? cap * cap / proven : 2, 1);
   verdict.unchecked(place / "reason", "is in words");

@@ -58,7 +58,7 @@ void check_named(Verdict& verdict, const RealGrasp& grasp, const BestDocument<2>
   if (best.worst)
     verdict.check(place, "worst is the highest V of the arcs",
                   difference(optimum("worst", *best.worst, Extremum::max).claim.effort, highest),
-                  1e-7L);
+                  1e-6L);
 }
 
 /// Checks the lower bound on the effort against what is proven.
