@@ -42,7 +42,8 @@ void expect_confirmed(const SpatialFile& file, const auto& answer) {
 RC_GTEST_PROP(SpaceVerified, HoldsOfAnyGraspAre, ()) {
   const SpatialFile file = *rc::gen::exec([] { return random_file(true); });
   const Vector<3> up = *rc::gen::exec(random_direction);
-  expect_confirmed(file, HoldAnswer<3>{.posture = posture_at(file.grasp(), up)});
+  expect_confirmed(file, HoldAnswer<3>{.option = {.up = {up.x(), up.y(), up.z()}},
+                                       .posture = posture_at(file.grasp(), up)});
 }
 
 RC_GTEST_PROP(SpaceVerified, BestsOfAnyGraspAre, ()) {

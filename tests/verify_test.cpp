@@ -33,7 +33,10 @@ std::string words(const GraspFile& file, const std::string& text) {
 }
 
 HoldAnswer<2> hold_answer(const PlanarFile& file, double theta, double cap = 1e6) {
-  return {.settings = {cap}, .posture = posture_at<2>(file.grasp(), up_at(theta), {cap})};
+  const Vector<2> up = up_at(theta);
+  return {.option = {.up = {up.x(), up.y()}},
+          .settings = {cap},
+          .posture = posture_at<2>(file.grasp(), up, {cap})};
 }
 BestAnswer<2> best_answer(const PlanarFile& file, const CurveSettings& settings = {}) {
   return {settings, best_posture(file.grasp(), settings)};
@@ -254,7 +257,8 @@ std::string best_text(const SpatialFile& file, const Eigen::Quaterniond& orienta
 }
 
 std::string hold_text(const SpatialFile& file, const Vector<3>& up) {
-  const HoldAnswer<3> answer{.posture = posture_at(file.grasp(), up)};
+  const HoldAnswer<3> answer{.option = {.up = {up.x(), up.y(), up.z()}},
+                             .posture = posture_at(file.grasp(), up)};
   return document(file.grasp(), answer);
 }
 
@@ -358,8 +362,9 @@ TEST(Verify, NamesWhatIsMissing) {
     return "";
   };
   Json best = Json::parse(best_text(file));
-  best["unknown"] = {{"is", "ignored"}};
-  EXPECT_EQ(problem(best.dump()), "");
+  best["unknown"] = {{"is", "not checked"}};
+  EXPECT_NE(problem(best.dump()).find("unknown: is not a known key"), std::string::npos);
+  best.erase("unknown");
   best["best"].erase("effort");
   EXPECT_NE(problem(best.dump()).find("best.effort: is missing, must be a number"),
             std::string::npos);

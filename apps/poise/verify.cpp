@@ -28,7 +28,9 @@ int line_of(const verify::Refutation& refutation, const Document& result) {
 }
 
 std::string document(const verify::Verdict& claims, const Document& result) {
-  Json checks = Json::array(), refuted = Json::array();
+  Json checks = Json::array(), refuted = Json::array(), unchecked = Json::array();
+  for (const verify::Unchecked& each : claims.unchecked())
+    unchecked.push_back({{"where", each.where}, {"why", each.words}});
   for (const verify::Check& check : claims.checks())
     checks.push_back({{"claim", check.words},
                       {"where", check.where},
@@ -48,6 +50,7 @@ std::string document(const verify::Verdict& claims, const Document& result) {
                     {"confirmed", claims.confirmed()},
                     {"refuted", std::move(refuted)},
                     {"checks", std::move(checks)},
+                    {"unchecked", std::move(unchecked)},
                     {"notes", claims.notes()}});
 }
 
@@ -78,6 +81,8 @@ std::string report(const verify::Verdict& claims, const Document& result, const 
                measured ? number(row.allowed) : "", measured ? place(row.closest) : ""});
   }
   std::string text = table.text(style);
+  for (const verify::Unchecked& each : claims.unchecked())
+    text += "\n" + wrapped("Not checked: " + each.where + " (" + each.words + ").");
   for (const std::string& note : claims.notes()) text += "\n" + wrapped(note);
   if (claims.confirmed())
     return text + "\n" +

@@ -308,8 +308,18 @@ struct CapacityDocument {
 /// The grasp as it was understood.
 template <int Dim>
 struct CheckDocument {
+  int dimension{Dim};
+  double safety{1};
   std::vector<Load<Dim>> loads{};
   std::vector<Contact<Dim>> contacts{};
+  bool force_closure{false};
+  // In the plane.
+  std::optional<double> angle_deg{};
+  Domain domain{};
+  std::optional<Interval> cradled{};
+  // In space.
+  std::optional<Vector<3>> up{};
+  std::optional<Tilt> tilt{};
 };
 
 }  // namespace poise

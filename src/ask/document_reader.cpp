@@ -40,24 +40,30 @@ double radians_of(double degrees) { return degrees / 180 * std::numbers::pi; }
 /// Reads the keys of a mapping.
 class Reader {
  public:
-  explicit Reader(const Field& field) : field_(field) {}
+  explicit Reader(const Field& field, Keys known = {}) : field_(field), known_(std::move(known)) {}
 
   template <class T>
   void operator()(const char* key, T& value, auto&&... rest) {
+    known_.push_back(key);
     read_into(value, field_.get(key, expected<T>()));
     if constexpr (sizeof...(rest) > 0) (*this)(rest...);
   }
   void maybe(const char* key, auto& value, auto&&... rest) {
+    known_.push_back(key);
     if (const auto field = field_.find(key)) read_into(value.emplace(), *field);
     if constexpr (sizeof...(rest) > 0) maybe(rest...);
   }
   void degrees(const char* key, double& radians, auto&&... rest) {
+    known_.push_back(key);
     radians = radians_of(field_.get(key, "an angle in degrees").finite());
     if constexpr (sizeof...(rest) > 0) degrees(rest...);
   }
+  /// Refuses what nobody has asked for: it would stand there as if it had been checked.
+  void finish() const { field_.mapping(known_); }
 
  private:
   const Field& field_;
+  Keys known_;
 };
 
 /// @param size  of the list, where it is known
@@ -108,33 +114,57 @@ void read_into(T& value, const Field& field) {
       value.fields(reader);
     else
       fields(value, reader);
+    reader.finish();
   }
+}
+
+template <int Dim>
+Contact<Dim> read_contact(const Field& field) {
+  Contact<Dim> contact;
+  Keys keys;
+  for_each_contact_field<Dim>([&](const char* name, auto member) {
+    keys.push_back(name);
+    const Field value = field.get(name, "given");
+    const bool is_unlimited = std::string_view(name) == "max_normal" && value.is_null();
+    if (!is_unlimited) read_into(contact.*member, value);
+  });
+  field.mapping(keys);
+  return contact;
 }
 
 template <int Dim>
 CheckDocument<Dim> read_check(const Field& root) {
   CheckDocument<Dim> check;
-  const std::vector<Field> loads =
-      Dim == 2 ? std::vector{root} : root.get("scenarios", "a list of loads").list();
-  for (const Field& field : loads) {
-    Reader read(field);
-    Load<Dim>& load = check.loads.emplace_back();
+  Reader read(root, {"poise_result", "command", "options", "name", "shape", "warnings", "contacts",
+                     "scenarios"});
+  root.get("options", "{}").mapping({});
+  read("dimension", check.dimension, "safety", check.safety);
+  read("force_closure", check.force_closure);
+  if constexpr (Dim == 2) {
+    Load<2>& load = check.loads.emplace_back();
+    read("angle_deg", check.angle_deg, "domain", check.domain, "cradled_deg", check.cradled);
     read("weight", load.weight, "com", load.com);
+  } else {
+    read("up", check.up, "tilt", check.tilt);
+    for (const Field& field : root.get("scenarios", "a list of loads").list()) {
+      Load<3>& load = check.loads.emplace_back();
+      Reader read_load(field);
+      read_load("weight", load.weight, "com", load.com);
+      read_load.finish();
+    }
   }
-  for (const Field& field : root.get("contacts", "a list of contacts").list()) {
-    Reader read(field);
-    Contact<Dim>& contact = check.contacts.emplace_back();
-    for_each_contact_field<Dim>([&](const char* name, auto member) {
-      if (!field.get(name, "given").is_null()) read(name, contact.*member);
-    });
-  }
+  read.finish();
+  for (const Field& field : root.get("contacts", "a list of contacts").list())
+    check.contacts.push_back(read_contact<Dim>(field));
   return check;
 }
 
 template <class Claims>
 Claims read_claims(const Field& root) {
   Claims claims;
-  read_into(claims, root);
+  Reader reader(root, {"poise_result", "command"});
+  claims.fields(reader);
+  reader.finish();
   return claims;
 }
 

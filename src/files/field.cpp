@@ -131,6 +131,7 @@ const Mapping& Field::mapping(const Keys& known, const Keys& elsewhere,
   for (const Member& member : *members) {
     const auto key = std::find(keys.begin(), keys.end(), member.key);
     const auto k = static_cast<std::size_t>(key - keys.begin());
+    if (keys.empty()) fail_at(member.at, path_of(shown(member.key)), "is not a known key");
     if (key == keys.end()) {
       const std::string_view start = std::string_view(member.key).substr(0, 100);
       const auto nearest = std::min_element(keys.begin(), keys.end(), [&](auto a, auto b) {

@@ -23,12 +23,13 @@ Real middle_of(const RealArc& arc) { return (arc.from + arc.to) / 2; }
 /// Checks what the arc says a contact does, by its force in the middle.
 void check_state(Verdict& verdict, const Path& place, const RealContact& contact, Real weight,
                  const Vec2& force, const ArcState& claim) {
-  const Real n = force[0], t = std::abs(force[1]), little = 1e-8L * weight;
-  const bool unloaded = n <= little, slipping = contact.friction * n - t <= little;
+  // Close to where states meet both are right.
+  const Real n = force[0], little = 1e-8L * weight, tiny = 1e-12L * weight;
+  const Real left = contact.friction * n - std::abs(force[1]);
   verdict.check(place / "state", "state is that of the arc's middle",
-                claim.state == ContactState::unloaded   ? unloaded
-                : claim.state == ContactState::slipping ? slipping
-                                                        : n > 0 && t <= contact.friction * n);
+                claim.state == ContactState::unloaded   ? n <= little
+                : claim.state == ContactState::slipping ? n > tiny && left <= little
+                                                        : n > tiny && left > tiny);
   const bool max = n >= contact.most - little;
   const bool min = contact.least > 0 && n <= contact.least + little;
   verdict.check(place / "limit", "limit is that of the arc's middle",
@@ -84,6 +85,17 @@ void check_effort(Verdict& verdict, const RealArc& arc, const Mat3& Q, Real weig
                   1e-11L + 4e-15L * std::sqrt(scale) / weight);
 }
 
+/// Checks that y proves V, but for what its rounding to doubles takes.
+void check_proof(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc, Real digits) {
+  for (int k = 0; k <= 4; ++k) {
+    const Real theta = arc.from + (arc.to - arc.from) * k / 4, V = arc.V(theta);
+    const Vec y = arc.y * harmonics(theta), w = wrench(grasp.loads.front(), up_at(theta));
+    const Real off = std::abs(V - bound(grasp, w, y)) + bound_rounding(grasp, w, y);
+    verdict.check(arc.place / "V", "V is what y proves [of V]", V > 0 ? off / V : 1,
+                  1e-6L + 4 * digits);
+  }
+}
+
 void check_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
                const std::vector<ArcState>& states, Real force_cap) {
   const RealLoad& load = grasp.loads.front();
@@ -96,11 +108,13 @@ void check_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
   const ArcForces forces = check_contacts(verdict, grasp, arc, states);
   verdict.check(arc.place, "contacts keep to their faces along the arc [of y]", forces.outside,
                 1e-7L);
-  const Real digits = 1e-15L * forces.length / load.weight;  // what y loses by its rounding
+  // What y loses by its rounding, if it is not so long that nothing is left.
+  const Real digits = std::min(1e-15L * forces.length / load.weight, Real{1e-6L});
   for (const Real theta : {arc.from, middle_of(arc), arc.to})
     verdict.check(arc.place, "forces balance the load along the arc [weights]",
                   relative_size(forces.off * harmonics(theta), load), 1e-11L + digits);
   check_effort(verdict, arc, forces.Q, load.weight);
+  check_proof(verdict, grasp, arc, digits);
   const Real cap = force_cap * load.weight;
   verdict.check(arc.place, "V is within the force cap: V / cap^2",
                 arc.V.greatest(arc.from, arc.to) / (cap * cap), 1 + 1e-6L);
@@ -119,7 +133,8 @@ std::vector<RealArc> check_arcs(Verdict& verdict, const RealGrasp& grasp,
     arc = {(Path() / "arcs")[k], claim.from, claim.to, effort_of(claim.V), {}};
     arc.y << claim.y.c0.cast<Real>(), claim.y.cos1.cast<Real>(), claim.y.sin1.cast<Real>();
     if (arc.is_sliver())
-      verdict.note("An arc narrower than 2e-8 rad proves nothing; its neighbours must.");
+      verdict.unchecked(arc.place,
+                        "arcs narrower than 2e-8 rad prove nothing, their neighbours must");
     else
       check_arc(verdict, grasp, arc, claim.states, force_cap);
   }

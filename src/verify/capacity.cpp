@@ -1,13 +1,18 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "verify/checks.hpp"
+#include "verify/trig.hpp"
 
 namespace poise::verify {
 namespace {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
-constexpr Real loose = 1e-9L;  ///< a force cap of 1e6 weights makes that of doubles felt
+constexpr Real loose = 1e-7L;  ///< a force cap of 1e6 weights makes rounding of doubles felt
+constexpr Real near = 1e-5L;   ///< what is held and its bound
+constexpr Real most_friction = 1e6L;
 
 /// The grasp with one load, in one posture.
 struct Case {
@@ -32,38 +37,91 @@ RealGrasp without_limits(RealGrasp grasp) {
   return grasp;
 }
 
-/// Checks a hold at a limit of what can be held: how little effort it takes loose leaves open.
+/// Checks a hold at a limit of what can be held.
 template <int Dim>
 void check_at_limit(Verdict& verdict, const Path& place, const Case& given, const RealGrasp& grasp,
                     const std::optional<HoldClaim<Dim>>& hold) {
   verdict.check(place, "at a limit there is a hold", hold && hold->holdable);
   if (!hold) return;
   check_hold(verdict, place, grasp, *hold, given.cap);
-  verdict.check(place, "the hold is of the posture asked for", (real(hold->up) - given.up).norm(),
-                1e-12L);
+  check_up(verdict, place, real(hold->up), given.up, "the hold is of the posture asked for");
 }
 
-/// Checks the bounds of the weights that can be held, by their duals.
+/// Checks a bound on the weights that can be held. `sign`: of what its dual gains with the weight.
 template <int Dim>
-void check_bounds(Verdict& verdict, const Path& place, const Case& given,
-                  const WeightClaim<Dim>& claim) {
-  const auto proven = [&](const Twist<Dim>& dual) {
-    return weight_bound(given.grasp, given.load(), given.up, real(dual), given.cap);
-  };
-  if (claim.greatest_bound) {
-    const Real bound = *claim.greatest_bound;
-    const WeightBound proof = proven(claim.greatest_dual);
-    verdict.check(place / "greatest_bound", "no greater weight can be held, by its dual",
-                  proof.gain > 0 ? proof.fixed / proof.gain - bound : infinity,
-                  loose * (bound + given.load().weight));
+void check_bound(Verdict& verdict, const Path& place, const Case& given, const Twist<Dim>& dual,
+                 Real bound, Real sign) {
+  const WeightBound proof =
+      weight_bound(given.grasp, given.load(), given.up, real(dual), given.cap);
+  const Real proven = std::max(proof.fixed / proof.gain, Real{0});
+  verdict.check(place, "no weight beyond the bound can be held, by its dual",
+                sign * proof.gain > 0 ? std::abs(proven - bound) : infinity,
+                loose * (bound + given.load().weight));
+}
+
+/// Checks which contacts decide, by the dual of the greatest weight.
+template <int Dim>
+void check_deciding(Verdict& verdict, const Path& place, const Case& given,
+                    const WeightClaim<Dim>& claim) {
+  const auto& contacts = given.grasp.contacts;
+  const bool complete = claim.contacts.size() == (claim.any ? 0 : contacts.size());
+  verdict.check(place, "each contact decides or not, where not any weight is held", complete);
+  if (claim.any || !complete) return;
+  const Vec y = real(claim.greatest_dual);
+  const Real gain = weight_bound(given.grasp, given.load(), given.up, y, given.cap).gain;
+  const Real least = 1e-9L * std::abs(gain);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Path here = place[i];
+    const Vec z = contacts[i].G.transpose() * y;
+    const Real beside = z.tail(z.size() - 1).norm(), power = z[0] + contacts[i].friction * beside;
+    verdict.check(here, "finger is that of the grasp",
+                  claim.contacts[i].finger == contacts[i].finger);
+    const bool presses = std::isfinite(contacts[i].most) && power > least;
+    const Real off = claim.contacts[i].per_newton - (presses ? power / gain : 0);
+    verdict.check(here / "per_newton", "per_newton is what the contact can do, by the dual",
+                  std::abs(off), 1e-6L * (1 + std::abs(claim.contacts[i].per_newton)));
+    const bool slips = contacts[i].friction > 0 && beside > least && power > -least;
+    const bool clear = !is_beside(beside, least, gain) && !is_beside(power, -least, gain);
+    verdict.check(here / "slipping", "slipping follows from the dual",
+                  !clear || claim.contacts[i].slipping == slips);
   }
-  if (claim.least_bound != 0) {
-    const Real bound = claim.least_bound;
-    const WeightBound proof = proven(claim.least_dual);
-    verdict.check(place / "least_bound", "no smaller weight can be held, by its dual",
-                  proof.gain < 0 ? bound - proof.fixed / proof.gain : infinity,
-                  loose * (bound + given.load().weight));
-  }
+}
+
+/// Checks the greatest weight.
+template <int Dim>
+void check_greatest(Verdict& verdict, const Path& place, const Case& given,
+                    const WeightClaim<Dim>& claim) {
+  verdict.check(place / "greatest", "there is a greatest weight, unless any is held",
+                claim.greatest.has_value() != claim.any);
+  verdict.check(place / "greatest_bound", "there is a bound, unless any weight is held",
+                claim.greatest_bound.has_value() != claim.any);
+  if (claim.any)
+    return check_at_limit(verdict, place / "greatest_hold", given, without_limits(given.grasp),
+                          claim.greatest_hold);
+  if (!claim.greatest || !claim.greatest_bound) return;
+  verdict.check(place / "greatest", "greatest is its bound, but for a part of 1e-5",
+                difference(*claim.greatest, *claim.greatest_bound), near);
+  check_at_limit(verdict, place / "greatest_hold", given, with_weight(given.grasp, *claim.greatest),
+                 claim.greatest_hold);
+}
+
+/// Checks the least weight.
+template <int Dim>
+void check_least(Verdict& verdict, const Path& place, const Case& given,
+                 const WeightClaim<Dim>& claim) {
+  verdict.check(place / "least", "there is a least weight", claim.least.has_value());
+  if (!claim.least) return;
+  verdict.check(place / "least", "least is its bound, but for a part of 1e-5",
+                difference(*claim.least, claim.least_bound), near);
+  const bool none = *claim.least <= 0;
+  verdict.check(place / "least_hold", "of a least weight there is a hold",
+                claim.least_hold.has_value() != none);
+  if (!none)
+    return check_at_limit(verdict, place / "least_hold", given,
+                          with_weight(given.grasp, *claim.least), claim.least_hold);
+  const auto must_press = [](const RealContact& contact) { return contact.least > 0; };
+  if (std::any_of(given.grasp.contacts.begin(), given.grasp.contacts.end(), must_press))
+    verdict.unchecked(place / "least", "of no weight there is no hold to check");
 }
 
 template <int Dim>
@@ -71,80 +129,132 @@ void check_weight(Verdict& verdict, const Path& place, const Case& given,
                   const WeightClaim<Dim>& claim) {
   verdict.check(place / "given", "given is the weight of the grasp",
                 difference(claim.given, given.load().weight), 1e-15L);
-  check_bounds(verdict, place, given, claim);
+  if (claim.greatest_bound)
+    check_bound<Dim>(verdict, place / "greatest_bound", given, claim.greatest_dual,
+                     *claim.greatest_bound, 1);
+  if (claim.least_bound != 0)
+    check_bound<Dim>(verdict, place / "least_bound", given, claim.least_dual, claim.least_bound,
+                     -1);
+  verdict.check(place / "greatest_dual", "without a bound there is no dual",
+                claim.greatest_bound || claim.greatest_dual.isZero(0));
+  verdict.check(place / "least_dual", "without a bound there is no dual",
+                claim.least_bound != 0 || claim.least_dual.isZero(0));
+  if (claim.holdable) {
+    check_greatest(verdict, place, given, claim);
+    check_least(verdict, place, given, claim);
+    return check_deciding(verdict, place / "contacts", given, claim);
+  }
+  Real strength = 0;
+  for (const RealContact& contact : given.grasp.contacts)
+    if (std::isfinite(contact.most)) strength += contact.most;
   const Real most = claim.greatest_bound ? Real{*claim.greatest_bound} : infinity;
-  const Real least = claim.least_bound;
-  if (!claim.holdable) {
-    Real strength = given.load().weight;
-    for (const RealContact& contact : given.grasp.contacts)
-      if (std::isfinite(contact.most)) strength += contact.most;
-    if (most > loose * strength && most >= least)
-      verdict.note("That no weight can be held is not proven for all weights.");
-    return;
-  }
-  const bool told = claim.least && (claim.any || claim.greatest);
-  verdict.check(place, "where weights can be held there is a least and a greatest", told);
-  if (!told) return;
-  if (claim.any) {
-    check_at_limit(verdict, place / "greatest_hold", given, without_limits(given.grasp),
-                   claim.greatest_hold);
-  } else {
-    verdict.check(place / "greatest", "greatest is not above its bound", *claim.greatest / most,
-                  1 + loose);
-    check_at_limit(verdict, place / "greatest_hold", given,
-                   with_weight(given.grasp, *claim.greatest), claim.greatest_hold);
-  }
-  verdict.check(place / "least", "least is not below its bound", least - *claim.least,
-                loose * least);
-  if (*claim.least > 0)
-    check_at_limit(verdict, place / "least_hold", given, with_weight(given.grasp, *claim.least),
-                   claim.least_hold);
-  verdict.note("Which contacts decide is not checked.");
+  verdict.check(place / "holdable", "that no weight can be held follows from its bounds",
+                most < claim.least_bound || most <= loose * strength);
+  for (const auto& [key, null] :
+       {std::pair{"any", !claim.any}, {"greatest", !claim.greatest}, {"least", !claim.least}})
+    verdict.check(place / key, "is null where no weight can be held", null);
 }
 
 template <int Dim>
 void check_friction(Verdict& verdict, const Path& place, const Case& given,
                     const FrictionClaim<Dim>& claim) {
   const Real bound = claim.bound;
-  if (bound > 0) {
-    const Vec y = real(claim.dual);
-    const WeightBound proof = weight_bound(with_friction(given.grasp, bound * (1 - loose)),
-                                           given.load(), given.up, y, given.cap);
+  const Vec y = real(claim.dual);
+  // What is missing against y with some friction.
+  const auto missing = [&](Real friction) {
+    const WeightBound proof =
+        weight_bound(with_friction(given.grasp, friction), given.load(), given.up, y, given.cap);
+    return given.load().weight * proof.gain - proof.fixed;
+  };
+  verdict.check(place / "bound", "bound is from 0 to a million",
+                bound >= 0 && bound <= most_friction);
+  verdict.check(place / "dual", "without a bound there is no dual", bound != 0 || y.isZero(0));
+  if (bound > 0)
     verdict.check(place / "bound", "with less friction the weight cannot be held, by the dual",
-                  proof.fixed - given.load().weight * proof.gain,
-                  loose * imbalance_power(given.load(), y));
-  }
-  if (!claim.factor) return;
+                  missing(bound * (1 - loose)) > 0);
+  if (bound > 0 && bound < most_friction)
+    verdict.check(place / "bound", "the dual proves no more", missing(bound * (1 + near)) <= 0);
+  verdict.check(place / "factor", "factor is null where a million times the friction is not enough",
+                claim.factor || bound >= most_friction * (1 - near));
+  if (!claim.factor)
+    return verdict.check(place / "hold", "is null where there is none", !claim.hold);
   const Real factor = *claim.factor;
-  verdict.check(place / "factor", "factor is not below its bound", bound - factor, loose * bound);
-  // Rounding of the friction is felt where the forces are great.
-  check_at_limit(verdict, place / "hold", given, with_friction(given.grasp, factor * (1 + 1e-12L)),
-                 claim.hold);
+  verdict.check(place / "factor", "factor is its bound, but for a part of 1e-5",
+                difference(factor, bound), near);
+  check_at_limit(verdict, place / "hold", given, with_friction(given.grasp, factor), claim.hold);
+}
+
+/// The postures that are asked about, each against every load.
+template <int Dim>
+void check_postures(Verdict& verdict, const RealGrasp& grasp, const CapacityDocument<Dim>& document,
+                    const Present& present) {
+  const Path list = Path() / "capacities";
+  const auto& claims = document.capacities;
+  const std::size_t loads = grasp.loads.size();
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    const CapacityClaim<Dim>& claim = claims[k];
+    const Vec up = real(claim.up);
+    check_up(verdict, list[k], up, real(claims[k - k % loads].up), "up is one against all loads");
+    if (Dim == 2)
+      verdict.check(list[k] / "angle_deg", "angle_deg is the posture up",
+                    (up - up_at(radians_of(claim.angle_deg))).norm(), rounding);
+    verdict.check(list[k] / "scenario", "the scenarios follow each other",
+                  loads == 1 ? !claim.scenario : claim.scenario == k % loads);
+    if (k % loads == 0)
+      names.push_back(claim.posture);
+    else
+      verdict.check(list[k] / "posture", "posture is one against all loads",
+                    claim.posture == names.back());
+    if (claim.posture == "given")
+      check_up(verdict, list[k], up, asked_up(document.options).value_or(Vec()),
+               "up is the posture asked for");
+    else if (claim.posture == "upright")
+      check_up(verdict, list[k], up, upright(Dim), "up is upright");
+    else if (claim.posture == "now" && present.known)
+      check_up(verdict, list[k], up, present.up.value_or(Vec()), "up is the posture of the file");
+    else
+      verdict.unchecked(list[k] / "up", "whether that is the posture meant: ask for best");
+  }
+  verdict.check(list, "each posture has all the loads", claims.size() == names.size() * loads);
+  using Names = std::vector<std::string>;
+  const bool now = present.known ? present.up.has_value() : names.front() == "now";
+  const bool right = asked_up(document.options) ? names == Names{"given"}
+                     : now ? names == Names{"now"} || names == Names{"now", "best"}
+                           : names == Names{"best"} || names == Names{"upright"};
+  verdict.check(list, "the postures are those asked for", right);
+  if (names.back() == "now" || names.back() == "upright")
+    verdict.unchecked(list, "whether there is a best posture: ask for best");
 }
 
 }  // namespace
 
 template <int Dim>
-void check_capacity(Verdict& verdict, const RealGrasp& grasp,
-                    const CapacityDocument<Dim>& capacity) {
+void check_capacity(Verdict& verdict, const RealGrasp& grasp, const CapacityDocument<Dim>& capacity,
+                    const Present& present) {
+  check_options(verdict, Dim, capacity.options, {"safety"}, {"angle_deg", "up"});
   const Real cap = capacity.options.force_cap, safety = capacity.options.safety.value_or(1);
+  verdict.check(Path() / "capacities", "there are some", !capacity.capacities.empty());
+  if (capacity.capacities.empty()) return;
+  check_postures(verdict, grasp, capacity, present);
   for (std::size_t k = 0; k < capacity.capacities.size(); ++k) {
     const CapacityClaim<Dim>& claim = capacity.capacities[k];
     const Path place = (Path() / "capacities")[k];
     const RealLoad& load = load_of(verdict, place / "scenario", grasp, claim.scenario.value_or(0));
     const Case given{with_load(grasp, load), real(claim.up), cap};
-    verdict.check(place, "up is a unit vector", std::abs(given.up.norm() - 1), 1e-12L);
+    verdict.check(place / "up", "up is a unit vector", std::abs(given.up.norm() - 1), rounding);
     check_weight(verdict, place / "weight", given, claim.weight);
     check_friction(verdict, place / "friction", given, claim.friction);
-    check_least_hold(verdict, place / "command", with_friction(given.grasp, 1 / safety),
+    check_exact_hold(verdict, place / "command", with_friction(given.grasp, 1 / safety),
                      claim.command, cap);
-    verdict.check(place / "command", "the hold is of the posture asked for",
-                  (real(claim.command.up) - given.up).norm(), 1e-12L);
+    check_up(verdict, place / "command", real(claim.command.up), given.up,
+             "the hold is of the posture asked for");
   }
-  verdict.note("That a posture is the best is not checked here: ask for best.");
 }
 
-template void check_capacity(Verdict&, const RealGrasp&, const CapacityDocument<2>&);
-template void check_capacity(Verdict&, const RealGrasp&, const CapacityDocument<3>&);
+template void check_capacity(Verdict&, const RealGrasp&, const CapacityDocument<2>&,
+                             const Present&);
+template void check_capacity(Verdict&, const RealGrasp&, const CapacityDocument<3>&,
+                             const Present&);
 
 }  // namespace poise::verify

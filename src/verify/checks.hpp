@@ -1,25 +1,44 @@
 // What checks the documents of each command, and single holds.
 #pragma once
 
+#include <optional>
+
 #include "ask/claims.hpp"
 #include "verify/statics.hpp"
 
 namespace poise::verify {
 
+/// How the grasp file says that the object is held now.
+struct Present {
+  bool known{false};        ///< whether there is a file
+  std::optional<Vec> up{};  ///< none where the file does not say
+};
+
+/// Checks that options are those of a command, and that the program accepts them.
+void check_options(Verdict& verdict, int dim, const OptionsClaim& options,
+                   const std::vector<std::string_view>& needed,
+                   const std::vector<std::string_view>& possible = {});
+/// The posture that was asked for.
+std::optional<Vec> asked_up(const OptionsClaim& options);
+void check_up(Verdict& verdict, const Path& place, const Vec& up, const Vec& expected,
+              const std::string& words);
+
 void check_curve(Verdict& verdict, const RealGrasp& grasp, const CurveDocument& curve);
 void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<2>& best);
 void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>& best);
 template <int Dim>
-void check_capacity(Verdict& verdict, const RealGrasp& grasp,
-                    const CapacityDocument<Dim>& capacity);
+void check_capacity(Verdict& verdict, const RealGrasp& grasp, const CapacityDocument<Dim>& capacity,
+                    const Present& present);
 
-/// Checks that forces hold the object within the force cap [weights], or the proof that none do.
+/// Checks that forces hold the object within the force cap [weights] and none with less effort do,
+/// or the proof that none do.
 template <int Dim>
 void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                 const HoldClaim<Dim>& hold, Real force_cap);
-/// Checks also that no forces have less effort.
+/// Checks also that they hold this load: at a limit of holding, forces for one within the tolerance
+/// of the balance may need less.
 template <int Dim>
-void check_least_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
+void check_exact_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                       const HoldClaim<Dim>& hold, Real force_cap);
 
 /// Checks that what is told of a contact follows from its force, and returns that force as G takes
@@ -31,6 +50,8 @@ Vec check_contact(Verdict& verdict, const Path& place, const RealContact& contac
 /// The load of which an answer gives the number; the first where there is no such one.
 const RealLoad& load_of(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                         std::size_t scenario);
+/// Up where the file does not say how the object is held.
+Vec upright(int dim);
 
 inline constexpr Real rounding = 1e-12L;  ///< of a number that follows from others in the document
 inline constexpr Real at_limit = 1e-9L;   ///< of the weight, and of the friction

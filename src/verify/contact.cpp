@@ -57,9 +57,10 @@ Vec check_contact(Verdict& verdict, const Path& place, const RealContact& contac
   verdict.check(place / "tangential_force", "tangential_force is that of force",
                 std::abs(along - claim.tangential_force), rounding * vector.norm());
   Real sideways = std::abs(Real{claim.tangential_force});
-  if (contact.torsion > 0) {
-    verdict.check(place, "a soft finger has its moment", claim.torsion_moment.has_value());
-    force[3] = claim.torsion_moment.value_or(0) * contact.friction / contact.torsion;
+  verdict.check(place / "torsion_moment", "a soft finger alone has its moment",
+                claim.torsion_moment.has_value() == contact.is_soft());
+  if (contact.is_soft()) {
+    force[3] = claim.torsion_moment.value_or(0) / contact.G.col(3).tail(3).norm();
     sideways = std::hypot(sideways, force[3]);
   }
   check_state(verdict, place, contact, weight, claim, sideways);

@@ -28,6 +28,9 @@ struct Piece {
   bool arc;
 };
 
+/// Nothing is left of it but its ends, which rounding puts somewhere: it proves nothing.
+bool is_narrow(const UnholdableArc& arc) { return arc.to - arc.from <= 2 * end_slack; }
+
 /// In their order from `start`.
 std::vector<Piece> pieces_of(const std::vector<RealArc>& arcs,
                              const std::vector<UnholdableArc>& unholdable, Real start) {
@@ -37,6 +40,7 @@ std::vector<Piece> pieces_of(const std::vector<RealArc>& arcs,
       pieces.push_back({arc.place, arc.from, arc.to, arc.y * harmonics(arc.from),
                         arc.y * harmonics(arc.to), true});
   for (std::size_t k = 0; k < unholdable.size(); ++k) {
+    if (is_narrow(unholdable[k])) continue;
     const Vec y = real(unholdable[k].y);
     pieces.push_back({unholdable_path(k), unholdable[k].from, unholdable[k].to, y, y, false});
   }
@@ -66,9 +70,9 @@ class Walk {
   void reach(const Path& place, Real to, const Piece* after) {
     if (status_ != Status::gap)
       verdict_.check(place, "arcs and unholdable arcs cover the domain [rad]", to - reached_,
-                     end_slack);
+                     most_narrow);
     const bool by_arcs = (before_ && before_->arc) || (after && after->arc);
-    if (to <= reached_ || (to - reached_ <= end_slack && !by_arcs)) return;
+    if (to <= reached_ || (to - reached_ <= most_narrow && !by_arcs)) return;
     Real best = -infinity;
     const auto use = [&](const Vec& y) {
       best = std::max(best, verify::least(proof(grasp_, y, 0), reached_, to));
@@ -80,7 +84,7 @@ class Walk {
         use(piece.y_from);
         use(piece.y_to);
       }
-    least_ = std::min(least_, best * (1 + 2e-6L));
+    least_ = std::min(least_, best);
   }
 
   void pass(const Piece& piece) {
@@ -132,18 +136,22 @@ void check_unholdable(Verdict& verdict, const RealGrasp& grasp,
                       const std::vector<UnholdableArc>& unholdable, Real force_cap) {
   const Real cap = force_cap * grasp.loads.front().weight;
   for (std::size_t k = 0; k < unholdable.size(); ++k) {
+    const Path place = unholdable_path(k);
+    const Real width = Real{unholdable[k].to} - unholdable[k].from;
+    verdict.check(place, "from_deg is not above to_deg, nor by more than a turn below",
+                  width >= 0 && width <= 2 * pi + end_slack);
+    if (is_narrow(unholdable[k])) {
+      verdict.unchecked(place, "arcs narrower than 4e-8 rad prove nothing, their neighbours must");
+      continue;
+    }
     const Real from = unholdable[k].from + end_slack, to = unholdable[k].to - end_slack;
     Real best = 0;
-    if (from < to)
-      for (int exponent = -80; exponent <= 80 && best <= cap * cap; exponent += 2) {
-        const Vec y = std::ldexp(Real{1}, exponent) * real(unholdable[k].y);
-        best = std::max(best, least(proof(grasp, y, delta), from, to));
-      }
-    verdict.check(unholdable_path(k), "y proves that the force cap is not enough: cap^2 / bound",
-                  from >= to ? 0
-                  : best > 0 ? cap * cap / best
-                             : 2,
-                  1);
+    for (int exponent = -80; exponent <= 80 && best <= cap * cap; exponent += 2) {
+      const Vec y = std::ldexp(Real{1}, exponent) * real(unholdable[k].y);
+      best = std::max(best, least(proof(grasp, y, delta), from, to));
+    }
+    verdict.check(place, "y proves that the force cap is not enough: cap^2 / bound",
+                  best > 0 ? cap * cap / best : 2, 1);
   }
 }
 

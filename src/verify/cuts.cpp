@@ -117,9 +117,10 @@ void check_cuts(Verdict& verdict, const RealGrasp& grasp, const std::vector<Cut>
   for (std::size_t k = 0; k < cuts.size(); ++k) {
     if (cuts[k].n) {
       const Vec3 n = cuts[k].n->cast<Real>();
-      verdict.check(list[k] / "n", "n . x <= 0 in the whole domain [of n]",
-                    greatest_in_domain(n, tilt) / n.norm(), 1e-9L);
-      half_spaces.push_back({n / n.norm(), 0});
+      const Real greatest = greatest_in_domain(n, tilt) / n.norm();
+      verdict.check(list[k] / "n", "n . x <= 0 in the whole domain [of n]", greatest, 1e-9L);
+      // Nothing of the domain is cut off, however thin it is, not even by rounding.
+      half_spaces.push_back({n / n.norm(), std::max(greatest, Real{0}) + 1e-15L});
       continue;
     }
     const RealLoad& load = load_of(verdict, list[k] / "scenario", grasp, cuts[k].load);

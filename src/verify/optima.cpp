@@ -90,17 +90,17 @@ Real cross(const Vec& a, const Vec& b) { return a[0] * b[1] - a[1] * b[0]; }
 void check_meeting(Verdict& verdict, const RealGrasp& grasp, const RealOptimum& optimum) {
   const OptimumClaim& claim = optimum.claim;
   std::vector<std::size_t> loaded;
+  bool slipping = claim.kind == Kind::kink;
   for (std::size_t i = 0; i < claim.contacts.size(); ++i) {
     if (claim.contacts[i].state == ContactState::unloaded) continue;
-    if (claim.contacts[i].state != ContactState::slipping) return;
+    slipping = slipping && claim.contacts[i].state == ContactState::slipping;
     loaded.push_back(i);
   }
-  if (claim.kind != Kind::kink || loaded.size() != 2) return;
   if (claim.contacts.size() != grasp.contacts.size()) return;
   const Path place = optimum.place / "edges_meet";
-  verdict.check(place, "of a kink of two slipping contacts edges_meet is told",
-                claim.edges_meet.has_value());
-  if (!claim.edges_meet) return;
+  verdict.check(place, "edges_meet is told of a kink of two slipping contacts, and of no other",
+                claim.edges_meet.has_value() == (slipping && loaded.size() == 2));
+  if (!claim.edges_meet || loaded.size() != 2) return;
   const RealLoad& load = grasp.loads.front();
   std::array<Vec, 2> edges;
   for (std::size_t k = 0; k < 2; ++k) edges[k] = real(claim.contacts[loaded[k]].force).normalized();
@@ -112,6 +112,7 @@ void check_meeting(Verdict& verdict, const RealGrasp& grasp, const RealOptimum& 
     verdict.check(place, "edges_meet is on the edges of the cones [of its distance]",
                   std::abs(cross(point - grasp.contacts[loaded[k]].position, edges[k])) / size,
                   1e-9L);
+  if (!load.fixed.isZero(0)) return;  // which is one more force
   verdict.check(place, "edges_meet is on the vertical through the com [of its distance]",
                 std::abs(cross(point - load.com, real(claim.up))) / size,
                 1e-9L / std::max(sine, Real{1e-6L}));
@@ -179,11 +180,13 @@ std::vector<Valley> valleys(const Chain& chain, Real sign) {
 RealOptimum check_optimum(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                           const OptimumClaim& claim, const std::vector<Chain>& chains,
                           Extremum type, Real force_cap) {
-  check_least_hold<2>(verdict, place, grasp, claim, force_cap);
+  check_exact_hold<2>(verdict, place, grasp, claim, force_cap);
   const Real theta = radians_of(claim.angle_deg);
   RealOptimum optimum{place, claim, theta, theta, theta};
   verdict.check(place, "an optimum is holdable", claim.holdable);
   if (!claim.holdable) return optimum;
+  verdict.check(place, "a stretch has both its ends",
+                claim.from_deg.has_value() == claim.to_deg.has_value());
   if (claim.from_deg && claim.to_deg) {
     optimum.from = radians_of(*claim.from_deg);
     optimum.to = radians_of(*claim.to_deg);

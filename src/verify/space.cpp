@@ -76,7 +76,7 @@ bool is_surely_inside(const RealGrasp& grasp, const std::optional<Tilt>& tilt,
 
 void check_in_domain(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                      const OptionsClaim& options, const HoldClaim<3>& hold) {
-  check_least_hold(verdict, place, grasp, hold, options.force_cap);
+  check_exact_hold(verdict, place, grasp, hold, options.force_cap);
   verdict.check(place, "an optimum is holdable", hold.holdable);
   if (options.tilt)
     verdict.check(place, "the posture lies in the domain [rad]",
@@ -91,18 +91,26 @@ void check_minima(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3
     verdict.check(list, "minima are in the order of their effort",
                   (Real{best.minima[k - 1].effort} - best.minima[k].effort) / best.minima[k].effort,
                   1e-8L);
-  verdict.note("The list of local minima in space is not proven complete.");
+  for (std::size_t k = 1; k < best.minima.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i)
+      verdict.check(list[k], "minima are listed once",
+                    (real(best.minima[k].up) - real(best.minima[i].up)).norm() > 1e-9L);
+  verdict.unchecked(list, "that they are all, and minima, is not proven: each is a hold");
 }
 
 /// Checks that what belongs to a best posture is null.
 void check_null(Verdict& verdict, const BestDocument<3>& best, const std::string& words) {
   verdict.check(Path() / "best_pinched", words, !best.best_pinched);
   verdict.check(Path() / "relative_gap", words, !best.relative_gap);
+  verdict.check(Path() / "minima", words, best.minima.empty());
+  verdict.check(Path() / "rotation", words, !best.rotation);
+  verdict.check(Path() / "orientation", words, !best.orientation);
 }
 
 void check_pinched(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>& best) {
   const Path place = Path() / "best_pinched";
   const auto& pinched = best.best_pinched;
+  verdict.unchecked(place, "whether it is inside of what can be held, and no other is lower");
   for (const HoldClaim<3>& minimum : best.minima)
     if (minimum.manner == Manner::pinched && is_surely_inside(grasp, best.options.tilt, minimum))
       verdict.check(place, "best_pinched is no higher than a pinched minimum inside the domain",
@@ -129,20 +137,32 @@ void check_best_hold(Verdict& verdict, const RealGrasp& grasp, const BestDocumen
   if (best.status == Status::optimal)
     verdict.check(of_gap, "the gap is the wanted one", gap,
                   best.options.gap.value_or(SpatialSettings{}.gap) + 1e-9L);
-  for (const HoldClaim<3>& minimum : best.minima)
-    verdict.check(place, "best is the lowest of the minima",
-                  (effort - minimum.effort) / minimum.effort, 1e-8L);
+  else
+    verdict.check(Path() / "status", "status is gap only where the gap is not the wanted one",
+                  best.options.gap.value_or(0) - gap, 1e-9L);
+  const bool listed = !best.minima.empty();
+  verdict.check(Path() / "minima", "the best is among the minima", listed);
+  if (listed)
+    verdict.check(place, "best is the first of the minima",
+                  (real(best.best->up) - real(best.minima.front().up)).norm() +
+                      difference(effort, best.minima.front().effort),
+                  1e-9L);
 }
 
 }  // namespace
 
 void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>& best) {
+  check_options(verdict, grasp.dim, best.options, {"domain", "gap", "max_holds"},
+                {"tilt", "orientation"});
   const Real cap = best.options.force_cap * grasp.greatest_weight();
+  verdict.check(Path() / "minima_complete", "no list of minima in space is complete",
+                !best.minima_complete);
+  verdict.unchecked(Path() / "holds", "how many holds the proof took");
   check_minima(verdict, grasp, best);
   if (best.status == Status::unholdable) {
     verdict.check(Path() / "best", "is null where nothing is held", !best.best);
+    verdict.check(Path() / "lower_bound", "is null where nothing is held", !best.lower_bound);
     check_null(verdict, best, "is null where nothing is held");
-    verdict.check(Path() / "minima", "minima are empty where nothing is held", best.minima.empty());
     return check_cuts(verdict, grasp, best.cuts, best.options.tilt, cap * cap,
                       "cuts prove that the force cap is not enough: they leave nothing on the "
                       "unit sphere");

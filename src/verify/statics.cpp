@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace poise::verify {
 
@@ -41,8 +42,10 @@ Real relative_size(const Vec& w, const RealLoad& load) {
 }
 
 Real outside(const RealContact& contact, const Vec& force) {
+  const Real mu = contact.friction;
+  const Real beside = force.tail(force.size() - 1).norm() - mu * force[0];
   return std::max({Real{0}, contact.least - force[0], force[0] - contact.most,
-                   force.tail(force.size() - 1).norm() - contact.friction * force[0]});
+                   beside / std::sqrt(1 + mu * mu)});
 }
 
 // The cone is round in the tangential part: what is nearest lies in the half-plane (n, t) of z,
@@ -78,6 +81,16 @@ Real phi(const RealGrasp& grasp, const Vec& y) {
 
 Real bound(const RealGrasp& grasp, const Vec& w, const Vec& y) {
   return 2 * (y.dot(w) - phi(grasp, y));
+}
+
+Real bound_rounding(const RealGrasp& grasp, const Vec& w, const Vec& y) {
+  const Vec size = y.cwiseAbs();
+  Real sum = size.dot(w.cwiseAbs());
+  for (const RealContact& contact : grasp.contacts) {
+    const Vec force = project(contact, contact.share * (contact.G.transpose() * y));
+    sum += force.cwiseAbs().dot(contact.G.cwiseAbs().transpose() * size);
+  }
+  return 16 * std::numeric_limits<Real>::epsilon() * sum;
 }
 
 Real imbalance_power(const RealLoad& load, const Vec& y) {

@@ -30,6 +30,8 @@ struct RealContact {
   Real friction{0}, least{0}, most{0}, share{1};  ///< least and most: of the normal force
   Real torsion{0};                                ///< [m], 0 for a hard finger
   Mat G;                                          ///< the wrench of such a force, about the origin
+
+  bool is_soft() const { return G.cols() == 4; }
 };
 
 struct RealLoad {
@@ -75,6 +77,8 @@ Real phi(const RealContact& contact, const Vec& z);
 Real phi(const RealGrasp& grasp, const Vec& y);
 /// 2 (y . w - phi(G^T y)): no forces that balance w have less effort.
 Real bound(const RealGrasp& grasp, const Vec& w, const Vec& y);
+/// How far rounding may take that bound: a long y leaves it few digits.
+Real bound_rounding(const RealGrasp& grasp, const Vec& w, const Vec& y);
 /// |v| + L |omega| times the weight, v at the com: the power of y on an imbalance of 1 at most.
 Real imbalance_power(const RealLoad& load, const Vec& y);
 

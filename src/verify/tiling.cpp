@@ -39,6 +39,16 @@ Chain chain_in(Real from, Real to, const std::vector<RealArc>& arcs, std::vector
   return chain;
 }
 
+/// The greatest length of arcs in a row that are too narrow to prove anything.
+Real narrow_in(const Chain& chain) {
+  Real widest = 0, width = 0;
+  for (const RealArc& arc : chain.arcs) {
+    width = arc.is_sliver() ? width + arc.to - arc.from : 0;
+    widest = std::max(widest, width);
+  }
+  return widest;
+}
+
 /// How far the arcs of a chain are from tiling an interval.
 Real gap_in(const Chain& chain, Real from, Real to) {
   if (chain.arcs.empty()) return 2 * pi;
@@ -70,10 +80,17 @@ std::vector<Chain> check_tiling(Verdict& verdict, const std::vector<RealArc>& ar
     Chain chain = chain_in(from, to, arcs, used);
     chain.circle = whole;
     verdict.check(place, "arcs tile the interval [rad]", gap_in(chain, from, to), end_slack);
+    verdict.check(place, "few arcs are too narrow to prove anything [rad]", narrow_in(chain),
+                  most_narrow);
     if (!chain.arcs.empty()) chains.push_back(std::move(chain));
   }
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     const RealArc& arc = arcs[i];
+    const auto same = [&](const RealArc& other) {
+      return other.from == arc.from && other.to == arc.to;
+    };
+    verdict.check(arc.place, "arcs are listed once",
+                  std::none_of(arcs.begin(), arcs.begin() + static_cast<std::ptrdiff_t>(i), same));
     verdict.check(arc.place, "arc lies in a holdable interval", used[i]);
     if (domain.circle) continue;
     const Real from = unwound(arc.from, domain.from);

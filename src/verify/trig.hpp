@@ -11,6 +11,8 @@ namespace poise::verify {
 inline constexpr Real pi = std::numbers::pi_v<Real>;
 /// Pieces of the circle end where rounding puts them [rad].
 inline constexpr Real end_slack = 2e-8L;
+/// So much of the circle may be left to pieces too narrow to prove anything [rad].
+inline constexpr Real most_narrow = 1e-7L;
 
 using Vec3 = Eigen::Matrix<Real, 3, 1>;
 using Mat3 = Eigen::Matrix<Real, 3, 3>;

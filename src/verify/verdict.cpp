@@ -46,6 +46,13 @@ void Verdict::check(const Path& place, const std::string& words, bool right) {
   check(place, words, right ? 0 : 1, 0);
 }
 
+void Verdict::unchecked(const Path& place, const std::string& words) {
+  const std::string where = pattern(place.text());
+  if (std::none_of(unchecked_.begin(), unchecked_.end(),
+                   [&](const Unchecked& each) { return each.where == where; }))
+    unchecked_.push_back({where, words});
+}
+
 void Verdict::note(const std::string& words) {
   if (std::find(notes_.begin(), notes_.end(), words) == notes_.end()) notes_.push_back(words);
 }

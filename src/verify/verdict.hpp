@@ -40,6 +40,12 @@ struct Refutation {
   Real off{0}, allowed{0};
 };
 
+/// What nobody has checked, at one or many places.
+struct Unchecked {
+  std::string where;  ///< "minima[*].reason"
+  std::string words;  ///< why
+};
+
 /// All the claims that have been checked.
 class Verdict {
  public:
@@ -47,17 +53,21 @@ class Verdict {
   void check(const Path& place, const std::string& words, Real off, Real allowed);
   /// One that is either true or not.
   void check(const Path& place, const std::string& words, bool right);
-  /// What is not claimed or cannot be checked, for people to know.
+  /// What is claimed there, or below, and cannot be checked.
+  void unchecked(const Path& place, const std::string& words);
+  /// What is not claimed, for people to know.
   void note(const std::string& words);
 
   const std::vector<Check>& checks() const { return checks_; }
   const std::vector<Refutation>& refutations() const { return refutations_; }
+  const std::vector<Unchecked>& unchecked() const { return unchecked_; }
   const std::vector<std::string>& notes() const { return notes_; }
   bool confirmed() const { return refutations_.empty(); }
 
  private:
   std::vector<Check> checks_{};
   std::vector<Refutation> refutations_{};
+  std::vector<Unchecked> unchecked_{};
   std::vector<std::string> notes_{};
 };
 

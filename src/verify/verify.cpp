@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "verify/checks.hpp"
+#include "verify/trig.hpp"
 
 namespace poise::verify {
 namespace {
@@ -15,12 +16,44 @@ Real distance(const Eigen::Matrix<double, Dim, 1>& a, const Eigen::Matrix<double
   return (real(a) - real(b)).norm();
 }
 
+bool same(const std::optional<Vec>& a, const std::optional<Vec>& b) {
+  return a.has_value() == b.has_value() && (!a || (*a - *b).norm() <= rounding);
+}
+
+template <int Dim>
+std::optional<Vec> maybe_real(const std::optional<Vector<Dim>>& v) {
+  return v ? std::optional<Vec>(real(*v)) : std::nullopt;
+}
+
+Present present(const PlanarFile& file) {
+  return {true, file.angle ? std::optional(up_at(*file.angle)) : std::nullopt};
+}
+Present present(const SpatialFile& file) { return {true, maybe_real<3>(file.up)}; }
+
+/// Checks what is said of the posture now, and of those to choose from.
+void check_file(Verdict& verdict, const PlanarFile& file, const CheckDocument<2>& check) {
+  const std::optional<Vec> up =
+      check.angle_deg ? std::optional(up_at(radians_of(*check.angle_deg))) : std::nullopt;
+  verdict.check(Path() / "angle_deg", "angle_deg is that of the file", same(up, present(file).up));
+  verdict.check(Path() / "domain", "domain is that of the file", check.domain == file.domain);
+}
+void check_file(Verdict& verdict, const SpatialFile& file, const CheckDocument<3>& check) {
+  verdict.check(Path() / "up", "up is that of the file",
+                same(maybe_real<3>(check.up), present(file).up));
+  const bool is_same = check.tilt.has_value() == file.tilt.has_value() &&
+                       (!check.tilt || (same(real(check.tilt->from), real(file.tilt->from)) &&
+                                        difference(check.tilt->most, file.tilt->most) <= rounding));
+  verdict.check(Path() / "tilt", "tilt is that of the file", is_same);
+}
+
 /// Checks that the grasp is told as it is.
 template <int Dim>
-void check_reading(Verdict& verdict, const Grasp<Dim>& grasp, const CheckDocument<Dim>& check) {
+void check_reading(Verdict& verdict, const Grasp<Dim>& grasp, const FileOf<Dim>* file,
+                   const CheckDocument<Dim>& check) {
   const auto same = [&](const Path& place, const std::string& key, const auto& a, const auto& b) {
     verdict.check(place / key, key + " is that of the grasp", distance(a, b), 0);
   };
+  verdict.check(Path() / "dimension", "dimension is that of the grasp", check.dimension == Dim);
   const bool complete = check.loads.size() == grasp.loads().size() &&
                         check.contacts.size() == grasp.contacts().size();
   verdict.check({}, "there are as many loads and contacts as the grasp has", complete);
@@ -34,7 +67,15 @@ void check_reading(Verdict& verdict, const Grasp<Dim>& grasp, const CheckDocumen
     for_each_contact_field<Dim>([&](const char* name, auto member) {
       same((Path() / "contacts")[i], name, check.contacts[i].*member, grasp.contacts()[i].*member);
     });
-  verdict.note("force_closure, cradled_deg and warnings are not checked.");
+  for (const char* const key : {"name", "shape", "force_closure", "cradled_deg", "warnings"})
+    verdict.unchecked(Path() / key, "follows from the file");
+  if (file) {
+    verdict.check(Path() / "safety", "safety is that of the file",
+                  difference(check.safety, file->safety), 0);
+    return check_file(verdict, *file, check);
+  }
+  for (const char* const key : {"safety", "angle_deg", "domain", "up", "tilt"})
+    verdict.unchecked(Path() / key, "is of the file, which is not at hand");
 }
 
 /// Calls what checks a document of its kind.
@@ -42,35 +83,54 @@ template <int Dim>
 struct Checker {
   Verdict& verdict;
   const Grasp<Dim>& given;
+  const FileOf<Dim>* file;
   RealGrasp grasp{real_grasp(given)};
+  Present now{file ? present(*file) : Present{}};
 
-  void operator()(const CheckDocument<Dim>& check) { check_reading(verdict, given, check); }
+  void operator()(const CheckDocument<Dim>& check) { check_reading(verdict, given, file, check); }
   void operator()(const HoldDocument<Dim>& hold) {
-    check_least_hold<Dim>(verdict, {}, grasp, hold, hold.options.force_cap);
+    check_options(verdict, Dim, hold.options, {}, {"angle_deg", "up"});
+    check_exact_hold<Dim>(verdict, {}, grasp, hold, hold.options.force_cap);
+    if (const auto up = asked_up(hold.options))
+      check_up(verdict, {}, real(hold.up), *up, "up is the posture asked for");
+    else if (now.known)
+      check_up(verdict, {}, real(hold.up), now.up.value_or(upright(Dim)),
+               "up is the posture of the file");
+    else
+      verdict.note("Whether up is the posture of the file is not known here.");
   }
   void operator()(const BestDocument<Dim>& best) { check_best(verdict, grasp, best); }
   void operator()(const CapacityDocument<Dim>& capacity) {
-    check_capacity(verdict, grasp, capacity);
+    check_capacity(verdict, grasp, capacity, now);
   }
   void operator()(const CurveDocument& curve) { check_curve(verdict, grasp, curve); }
 };
+
+template <int Dim>
+Verdict verdict_of(const Grasp<Dim>& grasp, const FileOf<Dim>* file,
+                   const AnyDocument<Dim>& document) {
+  Verdict verdict;
+  std::visit(Checker<Dim>{verdict, grasp, file}, document);
+  return verdict;
+}
 
 }  // namespace
 
 template <int Dim>
 Verdict verify(const Grasp<Dim>& grasp, const AnyDocument<Dim>& document) {
-  Verdict verdict;
-  std::visit(Checker<Dim>{verdict, grasp}, document);
-  return verdict;
+  return verdict_of<Dim>(grasp, nullptr, document);
 }
 
 template Verdict verify(const Grasp<2>&, const AnyDocument<2>&);
 template Verdict verify(const Grasp<3>&, const AnyDocument<3>&);
 
 Verdict verify(const GraspFile& file, const Document& result) {
-  if (const auto* planar = std::get_if<PlanarFile>(&file))
-    return verify<2>(planar->grasp(), read_document<2>(result));
-  return verify<3>(std::get<SpatialFile>(file).grasp(), read_document<3>(result));
+  return std::visit(
+      [&]<class File>(const File& own) {
+        constexpr int Dim = std::is_same_v<File, PlanarFile> ? 2 : 3;
+        return verdict_of<Dim>(own.grasp(), &own, read_document<Dim>(result));
+      },
+      file);
 }
 
 }  // namespace poise::verify

@@ -1,0 +1,391 @@
+// An adversary: results of every command, true ones and then with something changed in them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "ask/ask.hpp"
+#include "ask/document.hpp"
+#include "files/field.hpp"
+#include "random_space_grasps.hpp"
+#include "verify/verify.hpp"
+
+namespace poise::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Pointer = Json::json_pointer;
+
+template <class T>
+const T& any_of(const std::vector<T>& list) {
+  return list[static_cast<std::size_t>(pick(0, static_cast<int>(list.size()) - 1))];
+}
+
+// Grasps and questions.
+
+template <int Dim>
+Wrench<Dim> random_wrench() {
+  Wrench<Dim> w;
+  for (double& number : w) number = 2 * coordinate();
+  return w;
+}
+
+PlanarFile random_planar_file() {
+  const Held held =
+      one_in(8) ? *nearly_unholdable() : *grasps({.most_contacts = 5, .awkward = one_in(4)});
+  PlanarFile file;
+  file.contacts = held.contacts;
+  file.loads = {held.object};
+  if (one_in(2)) file.angle = random_angle();
+  if (one_in(3)) file.domain = Domain::pinched;
+  return file;
+}
+
+/// Now and then with a second scenario, or a tilt.
+SpatialFile random_spatial_file() {
+  const auto held = one_in(6) ? *space::nearly_unholdable()
+                              : *space::grasps({.least_contacts = 2,
+                                                .most_contacts = 6,
+                                                .limits = one_in(2),
+                                                .awkward = one_in(4)});
+  SpatialFile file;
+  file.contacts = held.contacts;
+  file.loads = {held.object};
+  if (one_in(3)) {
+    Load<3> other = held.object;
+    other.weight *= real(0.3, 1);
+    other.com += 0.2 * space::random_direction();
+    file.loads.push_back(other);
+  }
+  if (one_in(2)) file.up = space::random_direction();
+  if (one_in(3)) file.tilt = Tilt{space::random_direction(), real(0, pi / 2)};
+  return file;
+}
+
+/// What a program can be asked of a grasp.
+template <int Dim>
+Question random_question() {
+  std::vector<Command> commands = {Command::hold, Command::best, Command::capacity, Command::check};
+  if (Dim == 2) commands.push_back(Command::curve);
+  Question question;
+  question.command = any_of(commands);
+  // Not where only the cap ends the arcs of the plane: y do not always prove that.
+  const bool has_arcs = question.command == Command::best || question.command == Command::curve;
+  if ((Dim == 3 || !has_arcs) && one_in(4))
+    question.force_cap = any_of(std::vector<double>{1, 3, 100, 1e7});
+  if (one_in(4)) question.safety = real(1, 3);
+  if constexpr (Dim == 2) {
+    if (one_in(3)) question.domain = any_of(std::vector{Domain::all, Domain::pinched});
+    if (one_in(2)) question.angle_deg = 180 / pi * random_angle();
+  } else {
+    if (question.command == Command::best) {
+      question.max_holds = 200;
+      if (one_in(4)) question.gap = any_of(std::vector{1e-3, 1e-8});
+      if (one_in(4)) question.orientation = Eigen::Quaterniond(space::random_rotation());
+    }
+    if (one_in(2)) {
+      const Vector<3> up = space::random_direction();
+      question.up = {up.x(), up.y(), up.z()};
+    }
+  }
+  return question;
+}
+
+template <int Dim>
+FileOf<Dim> random_file(const Question& question) {
+  FileOf<Dim> file;
+  if constexpr (Dim == 2)
+    file = random_planar_file();
+  else
+    file = random_spatial_file();
+  if (question.command != Command::capacity && one_in(6))
+    for (auto& load : file.loads) load.fixed = load.weight * random_wrench<Dim>();
+  return file;
+}
+
+verify::Verdict verdict_on(const GraspFile& file, const std::string& text) {
+  return verify::verify(file, parse_json(text, "result.json", max_result));
+}
+
+// Forgeries.
+
+/// A place in a document.
+struct Node {
+  Pointer at;
+  std::string path;  ///< as verify writes it, without indices: "minima[*].contacts[*]"
+};
+
+void collect(const Json& value, const Node& here, std::vector<Node>& nodes) {
+  if (value.is_object())
+    for (const auto& [key, part] : value.items()) {
+      const Node node{here.at / key, here.path.empty() ? key : here.path + "." + key};
+      nodes.push_back(node);
+      collect(part, node, nodes);
+    }
+  if (value.is_array())
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const Node node{here.at / i, here.path + "[*]"};
+      nodes.push_back(node);
+      collect(value[i], node, nodes);
+    }
+}
+
+std::vector<Node> nodes_of(const Json& document) {
+  std::vector<Node> nodes;
+  collect(document, {Pointer(), ""}, nodes);
+  return nodes;
+}
+
+void erase(Json& document, const Pointer& at) {
+  Json& parent = document[at.parent_pointer()];
+  if (parent.is_array())
+    parent.erase(std::stoul(at.back()));
+  else
+    parent.erase(at.back());
+}
+
+Json other_word(const std::string& word) {
+  const std::vector<std::string> words = {
+      "unloaded",   "sticking", "slipping", "none", "min",    "max",     "resting",
+      "cradled",    "pinched",  "boundary", "kink", "smooth", "optimal", "gap",
+      "unholdable", "all",      "given",    "now",  "best",   "upright"};
+  const std::string& other = any_of(words);
+  return other == word ? word + "s" : other;
+}
+
+/// Changes one thing; tells what.
+std::string forge(Json& document) {
+  const std::vector<Node> nodes = nodes_of(document);
+  const Node& node = any_of(nodes);
+  const Node& other = any_of(nodes);
+  Json& value = document[node.at];
+  const std::string where = node.at.to_string();
+  switch (pick(0, 6)) {
+    case 1:
+      erase(document, node.at);
+      return "drops " + where;
+    case 2:
+      value = nullptr;
+      return "nulls " + where;
+    case 3:
+      if (value.is_array() && !value.empty()) {
+        const Json copy = any_of(std::vector<Json>(value.begin(), value.end()));
+        value.insert(value.begin() + pick(0, static_cast<int>(value.size())), copy);
+        return "doubles a part of " + where;
+      }
+      break;
+    case 4: {  // another that has the same name, or stands in the same list
+      std::vector<Node> twins;
+      for (const Node& each : nodes) {
+        const bool is_twin = each.path.substr(each.path.rfind('.') + 1) ==
+                             node.path.substr(node.path.rfind('.') + 1);
+        const bool is_inside =
+            each.at.to_string().starts_with(where) || where.starts_with(each.at.to_string());
+        if (is_twin && !is_inside) twins.push_back(each);
+      }
+      if (twins.empty()) break;
+      const Node& twin = any_of(twins);
+      if (one_in(2)) {
+        std::swap(value, document[twin.at]);
+        return "swaps " + where + " and " + twin.at.to_string();
+      }
+      value = Json(document[twin.at]);
+      return "copies " + twin.at.to_string() + " to " + where;
+    }
+    case 5:
+      value = Json(document[other.at]);
+      return "copies " + other.at.to_string() + " to " + where;
+    default:
+      break;
+  }
+  if (value.is_number()) {
+    const double factor =
+        any_of(std::vector{1 + 2e-5, 1 - 2e-5, 1.001, 2.0, 0.5, 0.0, -1.0, 1e3, 1e9, 1 / 3.0});
+    value = value.get<double>() * factor;
+    return "multiplies " + where + " by " + std::to_string(factor);
+  }
+  if (value.is_boolean()) value = !value.get<bool>();
+  if (value.is_string()) value = other_word(value.get<std::string>());
+  return "changes " + where;
+}
+
+// What counts as a change.
+
+bool is_below(const std::string& path, const std::string& part) {
+  return path == part || path.starts_with(part + ".") || path.starts_with(part + "[");
+}
+
+/// Whether numbers differ by more than any tolerance; `size` is that of what they stand among.
+bool differ(double a, double b, const std::string& key, double size) {
+  const double off = std::abs(a - b);
+  if (key == "lower_bound" && b < a && b > 0.991 * a) return false;  // a weaker one
+  if (key.ends_with("_deg")) return off > 1e-4 && std::abs(off - 360) > 1e-4;
+  if (key == "relative_gap" || key == "residual" || key == "friction_used") return off > 1e-5;
+  return off > 1e-5 * std::max({std::abs(a), std::abs(b), size, 1e-6});
+}
+
+/// The size of the numbers in a value, and in lists in it.
+double size_of(const Json& value) {
+  double size = 0;
+  for (const Json& part : value)
+    if (part.is_number())
+      size = std::max(size, std::abs(part.get<double>()));
+    else if (part.is_array() && !part.empty() && part.front().is_number())
+      size = std::max(size, size_of(part));
+  return size;
+}
+
+/// Forces are as exact as the largest of them; the numbers of a list, and of V, go together.
+double size_among(const Json& parent, const std::string& path) {
+  if (parent.is_array() || path.ends_with(".V") || path.ends_with("contacts[*]") ||
+      path.ends_with("fingers[*]"))
+    return size_of(parent);
+  return 0;
+}
+
+/// Whether a key has proofs, of which any will do that prove.
+bool is_proof(const std::string& key) {
+  const auto keys = {"dual", "greatest_dual", "least_dual", "y", "cuts", "unholdable_arcs"};
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+Json sorted(Json list) {
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+/// The places in which claims differ; the order of arcs is none.
+void compare(const Json& a, const Json& b, const std::string& path, const std::string& key,
+             double size, std::vector<std::string>& differing) {
+  const auto within = [&](const std::string& name) {
+    return path.empty() ? name : path + "." + name;
+  };
+  if (is_proof(key)) return;
+  if (a.is_number() && b.is_number()) {
+    if (differ(a.get<double>(), b.get<double>(), key, size)) differing.push_back(path);
+  } else if (a.is_object() && b.is_object()) {
+    for (const auto& [name, part] : a.items())
+      if (b.contains(name))
+        compare(part, b[name], within(name), name, size_among(a, path), differing);
+      else
+        differing.push_back(within(name));
+    for (const auto& [name, part] : b.items())
+      if (!a.contains(name)) differing.push_back(within(name));
+  } else if (a.is_array() && b.is_array() && a.size() == b.size()) {
+    const bool ordered = path != "arcs" && path != "holdable_arcs_deg";
+    const Json own = ordered ? a : sorted(a), other = ordered ? b : sorted(b);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      compare(own[i], other[i], path + "[*]", key, size_among(a, path), differing);
+  } else if (a != b && !(a == "unholdable" && b == "gap")) {  // which claims less
+    differing.push_back(path);
+  }
+}
+
+/// The places in which a forgery claims something else, and does not itself say that it has not
+/// been checked.
+std::vector<std::string> changes(const Json& document, const Json& forged,
+                                 const verify::Verdict& verdict) {
+  std::vector<std::string> differing, changed;
+  compare(document, forged, "", "", 0, differing);
+  for (const std::string& path : differing) {
+    const auto& unchecked = verdict.unchecked();
+    const auto names = [&](const verify::Unchecked& each) {
+      // Holds and arcs in a list of which it is open whether it is complete are checked.
+      const auto lists = {"minima", "holdable_arcs_deg", "best_pinched", "capacities"};
+      const bool is_list = std::find(lists.begin(), lists.end(), each.where) != lists.end();
+      return path == each.where || (!is_list && is_below(path, each.where));
+    };
+    // Where the fork of the fingers ends both manners are right.
+    const bool at_fork = path.ends_with("manner") && document["options"].contains("domain") &&
+                         document["options"]["domain"] == "pinched";
+    if (!at_fork && std::none_of(unchecked.begin(), unchecked.end(), names))
+      changed.push_back(path);
+  }
+  return changed;
+}
+
+/// Whether a forgery is another question: what is claimed may well be an answer to it.
+bool asks_otherwise(const Json& document, const Json& forged) {
+  return document["options"] != forged["options"];
+}
+
+/// Whether what a gripper can hold is itself said to be not known for sure: a value and its bound
+/// are apart.
+bool leaves_open(const Json& result) {
+  if (result["command"] != "capacity") return false;
+  const auto apart = [](const Json& value, const Json& bound) {
+    if (value.is_null()) return true;
+    const double a = value.get<double>(), b = bound.get<double>();
+    return std::abs(a - b) > 1e-5 * std::max(a, b);
+  };
+  for (const Json& at : result["capacities"]) {
+    const Json &weight = at["weight"], &friction = at["friction"];
+    if (!weight["holdable"] || (friction["factor"].is_null() && friction["bound"] < 1e6))
+      return true;
+    if (!friction["factor"].is_null() && apart(friction["factor"], friction["bound"])) return true;
+    if (apart(weight["least"], weight["least_bound"])) return true;
+    if (!weight["any"] && apart(weight["greatest"], weight["greatest_bound"])) return true;
+  }
+  return false;
+}
+
+struct Tally {
+  long results{0}, open{0}, forgeries{0}, harmless{0}, refused{0}, refuted{0};
+  ~Tally() {
+    std::printf(
+        "%ld results, %ld leave something open; %ld forgeries: %ld refused, %ld refuted, "
+        "%ld claim nothing else\n",
+        results, open, forgeries, refused, refuted, harmless);
+  }
+};
+
+/// A true result is confirmed, and nothing forged from it that claims something else.
+template <int Dim>
+void expect_no_forgery_confirmed(Tally& tally) {
+  const Question question = random_question<Dim>();
+  const FileOf<Dim> file = random_file<Dim>(question);
+  const Grasp<Dim> grasp = file.grasp();
+  const std::string text = document<Dim>(file, grasp, ask(file, grasp, question));
+  RC_LOG() << "the grasp: " << document<Dim>(file, grasp, CheckAnswer<Dim>{}) << "\n";
+  const Json result = Json::parse(text);
+  ++tally.results;
+  if (leaves_open(result)) {
+    ++tally.open;
+    return;
+  }
+  if (const verify::Verdict verdict = verdict_on(file, text); !verdict.confirmed())
+    RC_FAIL("refuted: " + refutations_text(verdict) + text);
+  for (int k = 0; k < 5; ++k) {
+    Json forged = result;
+    const std::string what = forge(forged);
+    ++tally.forgeries;
+    try {
+      const verify::Verdict verdict = verdict_on(file, forged.dump());
+      if (!verdict.confirmed()) {
+        ++tally.refuted;
+      } else if (asks_otherwise(result, forged) || changes(result, forged, verdict).empty()) {
+        ++tally.harmless;
+      } else {
+        RC_FAIL("confirmed, though somebody " + what + ": " +
+                changes(result, forged, verdict).front() + "\n" + text);
+      }
+    } catch (const FileError&) {
+      ++tally.refused;
+    }
+  }
+}
+
+// With RC_PARAMS="max_success=80000" each of these sees 1e5 forgeries, more than anybody waits for.
+RC_GTEST_PROP(Forger, IsFoundOutInThePlane, ()) {
+  static Tally tally;
+  if (!one_in(4)) return;
+  expect_no_forgery_confirmed<2>(tally);
+}
+
+RC_GTEST_PROP(Forger, IsFoundOutInSpace, ()) {
+  static Tally tally;
+  if (!one_in(4)) return;
+  expect_no_forgery_confirmed<3>(tally);
+}
+
+}  // namespace
+}  // namespace poise::test
