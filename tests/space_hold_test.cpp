@@ -54,7 +54,8 @@ RC_GTEST_PROP(SpaceHold, OfAnyWrenchFromAnyStartIsTheSame, ()) {
     w[k] = weight * coordinate();
     start[k] = weight * coordinate();
   }
-  const Hold<3> cold = hold<3>(grasp, w, grasp.weight(), Twist<3>::Zero()), warm = hold<3>(grasp, w, grasp.weight(), start);
+  const Hold<3> cold = hold<3>(grasp, w, grasp.weight(), Twist<3>::Zero()),
+                warm = hold<3>(grasp, w, grasp.weight(), start);
   RC_ASSERT(fault(grasp, Real6(w.cast<Real>()), cold) == "");
   RC_ASSERT(fault(grasp, Real6(w.cast<Real>()), warm) == "");
   RC_ASSERT(warm.holdable == cold.holdable);
@@ -199,6 +200,17 @@ TEST(SpaceHold, OfABoxBetweenSoftFingersIsKnown) {
             "point contacts on one line cannot resist that torque: a soft finger (torsion) can");
 }
 
+TEST(SpaceHold, WhatTheForceCapForbidsIsNotSaidToFindNoOpposition) {
+  const Held held = squeezed(0.5);
+  const Vector<3> up(0, 1, 0);
+  const double needed = std::sqrt(hold(held.grasp(), up).effort) / held.object.weight;
+  const Hold<3> found = hold(held.grasp(), up, {.force_cap = 0.9 * needed});
+  ASSERT_FALSE(found.holdable);
+  EXPECT_NE(reason(held.grasp(), found).find("would take a force norm of more than"),
+            std::string::npos)
+      << reason(held.grasp(), found);
+}
+
 TEST(SpaceHold, WithTheComBelowTheLineOfTwoPointsHolds) {
   Held held = squeezed(0.5);
   held.object.com = {0, 0.2, 0};
@@ -301,9 +313,11 @@ TEST(SpaceHold, InTheForkOfTheFingersIsCradled) {
   const Grasp<3> tray = held.grasp();
   EXPECT_TRUE(cradled(tray, tray.center(), {0, 0, 1}));
   EXPECT_FALSE(cradled(tray, tray.center(), {0, 0, -1}));
-  EXPECT_TRUE(cradled(tray, tray.center(), Vector<3>(-0.49, 0, 1).normalized()));  // inside of the edge at -1/2
+  EXPECT_TRUE(cradled(tray, tray.center(),
+                      Vector<3>(-0.49, 0, 1).normalized()));  // inside of the edge at -1/2
   EXPECT_FALSE(cradled(tray, tray.center(), Vector<3>(0.51, 0, 1).normalized()));
-  EXPECT_EQ(manner(tray, tray.loads().front(), {0, 0, 1}, hold(tray, Vector<3>(0, 0, 1))), Manner::cradled);
+  EXPECT_EQ(manner(tray, tray.loads().front(), {0, 0, 1}, hold(tray, Vector<3>(0, 0, 1))),
+            Manner::cradled);
   held.object.com = {0, 0, 0};
   EXPECT_FALSE(cradled(held.grasp(), held.grasp().center(), {0, 0, 1}));
   EXPECT_FALSE(cradled(squeezed(0.5).grasp(), squeezed(0.5).grasp().center(), {0, 0, 1}));

@@ -385,6 +385,35 @@ TEST_F(SpaceBest, TheUnholdableIsNullsAndProof) {
   EXPECT_EQ(run.out.find("Cannot be held in any posture."), 0U) << run.out;
 }
 
+TEST_F(SpaceBest, WhatMaxNormalForbidsIsNamed) {
+  // Three fingers below carry 10 N only if they press with more than 2 N each.
+  std::string fingers;
+  for (const char* at : {"[-0.05, 0.02, -0.05], normal: [0.7, 0, -0.7]",
+                         "[0.05, 0.02, -0.05], normal: [-0.7, 0, -0.7]",
+                         "[0, -0.03, -0.05], normal: [0, 0.7, -0.7]"})
+    fingers += "  - {position: " + std::string(at) + ", friction: 0.5, max_normal: 2}\n";
+  write("weak.yaml",
+        "poise: 1\ndimension: 3\nobject: {weight: 10, com: [0, 0, 0]}\ncontacts:\n" + fingers);
+  const Outcome run = poise("best weak.yaml");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.out.find("Only max_normal forbids it."), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("max_normal of 2"), std::string::npos) << run.out;
+}
+
+TEST_F(SpaceBest, ThePresentPostureIsAskedInAnyCase) {
+  // Four fingers below, each of which may carry its quarter: nothing else holds.
+  std::string fingers;
+  for (const char* at : {"[-1, -1, -1]", "[1, -1, -1]", "[1, 1, -1]", "[-1, 1, -1]"})
+    fingers += "  - {position: " + std::string(at) +
+               ", normal: [0, 0, 1], friction: 0.3, max_normal: 0.25}\n";
+  write("tray.yaml",
+        "poise: 1\ndimension: 3\nup: [0, 0, 1]\nobject: {weight: 1, com: [0, 0, 0]}\ncontacts:\n" +
+            fingers);
+  const Json document = best("tray.yaml");
+  EXPECT_NEAR(document["best"]["effort"], 4 * 0.25 * 0.25, 1e-9);
+  EXPECT_EQ(document["rotation"]["w"], 1.0);
+}
+
 TEST_F(SpaceBest, NothingFoundIsNotCalledUnholdable) {
   // It can be held, but not in the first posture that is tried.
   write("hanging.yaml",
@@ -396,12 +425,12 @@ TEST_F(SpaceBest, NothingFoundIsNotCalledUnholdable) {
         "  - {position: [-1, 0, 0.3], normal: [0.1, -1, 0], friction: 0.1}\n"
         "  - {position: [0, 0, -1], normal: [0, -1, 0], friction: 0.1}\n");
   EXPECT_EQ(poise("best hanging.yaml").status, 0);
-  const Json document = json("best hanging.yaml --max-holds 1", 1);
+  const Json document = json("best hanging.yaml --max-holds 1", 4);
   EXPECT_EQ(document["status"], "gap");
   EXPECT_TRUE(document["best"].is_null());
   EXPECT_TRUE(document["lower_bound"].is_number());
   const Outcome run = poise("best hanging.yaml --max-holds 1");
-  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.status, 4);
   EXPECT_NE(run.out.find("That there is none is not"), run.out.npos) << run.out;
 }
 

@@ -44,6 +44,7 @@ struct BestAnswer<2> {
   std::optional<Posture<2>> now{};  ///< as it is held now, where the file says so
   /// Where nothing in the domain holds: a posture of it, to show why.
   std::optional<Posture<2>> unholdable{};
+  std::optional<Posture<2>> without_max_normal{};  ///< then the best, where these forbid it
 };
 template <>
 struct BestAnswer<3> {
@@ -51,6 +52,7 @@ struct BestAnswer<3> {
   Best<3> best;
   std::optional<Posture<3>> now{};         ///< as it is held now, where somebody said so
   std::optional<Posture<3>> unholdable{};  ///< where proven: a posture of the domain, to show why
+  std::optional<Posture<3>> without_max_normal{};  ///< then the best, where these forbid it
   Eigen::Quaterniond orientation{Eigen::Quaterniond::Identity()};  ///< the present one
 };
 

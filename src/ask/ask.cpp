@@ -1,6 +1,8 @@
 #include "ask/ask.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -103,6 +105,21 @@ Posture<2> example_of(const Grasp<2>& grasp, const CurveSettings& settings) {
   return posture_at(grasp, up_at((domain.from + domain.to) / 2), {settings.force_cap});
 }
 
+/// Where nothing holds: the best posture of the fingers if they could press as hard as they like.
+template <int Dim, class Settings>
+std::optional<Posture<Dim>> best_without_max_normal(const Grasp<Dim>& grasp,
+                                                    const Settings& settings) {
+  std::vector<Contact<Dim>> contacts = grasp.contacts();
+  bool any = false;
+  for (Contact<Dim>& contact : contacts) {
+    any = any || std::isfinite(contact.max_normal);
+    contact.max_normal = std::numeric_limits<double>::infinity();
+  }
+  if (!any) return {};
+  const Best<Dim> best = best_posture(Grasp<Dim>(grasp.loads(), std::move(contacts)), settings);
+  return best.holdable() ? std::optional<Posture<Dim>>(best.best()) : std::nullopt;
+}
+
 BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question& question) {
   for (const auto& [given, option] : {std::pair(question.gap.has_value(), "gap"),
                                       {question.max_holds.has_value(), "max-holds"},
@@ -113,7 +130,10 @@ BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question
   const CurveSettings settings = curve_settings(file, question);
   BestAnswer<2> answer{settings, best_posture(grasp, settings)};
   if (file.angle) answer.now = posture_at(grasp, up_at(*file.angle), {settings.force_cap});
-  if (!answer.best.holdable()) answer.unholdable = example_of(grasp, settings);
+  if (!answer.best.holdable()) {
+    answer.unholdable = example_of(grasp, settings);
+    answer.without_max_normal = best_without_max_normal(grasp, settings);
+  }
   return answer;
 }
 
@@ -141,9 +161,11 @@ BestAnswer<3> best(const SpatialFile& file, const Grasp<3>& grasp, const Questio
   const Vector<3> now = answer.orientation.conjugate() * Vector<3>::UnitZ();
   if (question.orientation || file.up) answer.now = posture_at(grasp, now, {settings.force_cap});
   if (answer.now) consider(answer.best, *answer.now, settings);
-  if (answer.best.status == Status::unholdable)
+  if (answer.best.status == Status::unholdable) {
     answer.unholdable =
         posture_at(grasp, settings.tilt ? settings.tilt->from : now, {settings.force_cap});
+    answer.without_max_normal = best_without_max_normal(grasp, settings);
+  }
   return answer;
 }
 

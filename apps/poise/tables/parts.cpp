@@ -1,7 +1,9 @@
 #include "tables/parts.hpp"
 
 #include <fmt/core.h>
+#include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 #include <numbers>
 
@@ -24,6 +26,11 @@ std::string strongest(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
 /// More than the others' where all of a column would be shown as 0 without being rounding.
 int decimals_of_column(int others, double largest, double whole) {
   return largest < std::pow(10, -others) && largest > 1e-9 * whole ? decimals_for(largest) : others;
+}
+
+std::string lowercase(std::string text) {
+  text[0] = static_cast<char>(std::tolower(text[0]));
+  return text;
 }
 
 }  // namespace
@@ -58,6 +65,31 @@ template <int Dim>
 std::string reason_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
   const std::string why = reason(grasp, posture.hold());
   return grasp.loads().size() == 1 ? why : fmt::format("in scenario {} {}", posture.decides, why);
+}
+
+template <int Dim>
+std::string why_nowhere(const Grasp<Dim>& grasp, const std::optional<Posture<Dim>>& example,
+                        const std::optional<Posture<Dim>>& without_max_normal) {
+  if (without_max_normal) {
+    std::vector<std::string> asked;
+    const Hold<Dim>& hold = without_max_normal->hold();
+    for (std::size_t i = 0; i < hold.forces.size(); ++i) {
+      const Contact<Dim>& contact = grasp.contacts()[i];
+      const double normal = hold.forces[i].normal;
+      if (normal > contact.max_normal)
+        asked.push_back(
+            fmt::format("contact {} (finger {}) would have to press with {}, more than "
+                        "its max_normal of {}",
+                        i, contact.finger, newtons(normal), newtons(contact.max_normal)));
+    }
+    if (!asked.empty())
+      return wrapped(
+          fmt::format("Only max_normal forbids it. The best posture without it: {}, where {}.",
+                      lowercase(place_text(without_max_normal->up)), fmt::join(asked, "; ")));
+  }
+  if (!example || example->holdable()) return {};
+  return wrapped("For example " + lowercase(place_text(example->up)) + ": " +
+                 reason_text(grasp, *example) + ".");
 }
 
 template <int Dim>
@@ -188,6 +220,10 @@ std::string why_pinching_costs(const Grasp<Dim>& grasp, const Posture<Dim>& best
 }
 
 template std::string reason_text(const Grasp<2>&, const Posture<2>&);
+template std::string why_nowhere(const Grasp<2>&, const std::optional<Posture<2>>&,
+                                 const std::optional<Posture<2>>&);
+template std::string why_nowhere(const Grasp<3>&, const std::optional<Posture<3>>&,
+                                 const std::optional<Posture<3>>&);
 template void add_posture(Table&, const std::string&, const Grasp<2>&, const Posture<2>&,
                           const std::string&);
 template std::string forces_table(const Grasp<2>&, const Hold<2>&, const Style&);

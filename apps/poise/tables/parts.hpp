@@ -36,6 +36,11 @@ double grip_force(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
 /// Why it cannot be held, and in which scenario.
 template <int Dim>
 std::string reason_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture);
+/// Why nothing holds: what the best posture without max_normal asks of the contacts, if there is
+/// one; else the reason of an example.
+template <int Dim>
+std::string why_nowhere(const Grasp<Dim>& grasp, const std::optional<Posture<Dim>>& example,
+                        const std::optional<Posture<Dim>>& without_max_normal = {});
 
 /// ", in scenario 1", or nothing where there is but one.
 template <int Dim>

@@ -71,13 +71,12 @@ std::string doubt(const PostureCurve& curve) {
 
 /// Why nothing in the domain can be held, in words.
 std::string nowhere(const Grasp<2>& grasp, const PostureCurve& curve, const CurveSettings& settings,
-                    const std::optional<Posture<2>>& example) {
+                    const std::optional<Posture<2>>& example,
+                    const std::optional<Posture<2>>& without_max_normal = {}) {
   if (!curve.undecided.empty())
     return "Found no posture" + scope(settings) + " in which it can be held.\n" + doubt(curve);
-  std::string text = "Cannot be held in any posture" + scope(settings) + ".\n";
-  if (example && !example->holdable())
-    text += wrapped(place_text(example->up) + ": " + reason_text(grasp, *example) + ".");
-  return text;
+  return "Cannot be held in any posture" + scope(settings) + ".\n" +
+         why_nowhere<2>(grasp, example, without_max_normal);
 }
 
 /// Along an arc nothing changes but the size of the forces.
@@ -118,7 +117,8 @@ std::string report(const PlanarFile& file, const Grasp<2>& grasp, const BestAnsw
   const PostureCurve& curve = best.proof.curve;
   const CurveSettings& settings = answer.settings;
   std::string text = title(file.name, style);
-  if (!best.holdable()) return text + nowhere(grasp, curve, settings, answer.unholdable);
+  if (!best.holdable())
+    return text + nowhere(grasp, curve, settings, answer.unholdable, answer.without_max_normal);
 
   const Minimum<2>& lowest = best.best();
   const Minimum<2>* const pinched = best.best_pinched();

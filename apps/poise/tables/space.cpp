@@ -59,11 +59,8 @@ std::string nowhere(const Grasp<3>& grasp, const BestAnswer<3>& answer) {
         "Found no posture{} in which it can be held, in {} holds. That there is none is not "
         "proven; more holds (--max-holds) may tell.",
         scope(answer.settings), answer.best.proof.holds));
-  const std::optional<Posture<3>>& example = answer.unholdable;
-  std::string text = wrapped("Cannot be held in any posture" + scope(answer.settings) + ".");
-  if (example && !example->holdable())
-    text += wrapped(place_text(example->up) + ": " + reason_text(grasp, *example) + ".");
-  return text;
+  return wrapped("Cannot be held in any posture" + scope(answer.settings) + ".") +
+         why_nowhere<3>(grasp, answer.unholdable, answer.without_max_normal);
 }
 
 }  // namespace
