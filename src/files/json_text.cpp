@@ -54,17 +54,24 @@ std::string json_text(const Json& value) {
 }
 
 std::string with_escapes(const std::string& json) {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
   std::string text;
-  for (std::size_t at = 0; at < json.size();) {
-    const std::size_t size = std::max<std::size_t>(character_size(json, at), 1);
-    const std::string character = json.substr(at, size);
-    if (is_unseen(json, at)) {
+  text.reserve(json.size());
+  for (auto at = json.begin(); at != json.end();) {
+    const auto other = std::find_if_not(at, json.end(), is_ascii);
+    text.append(at, other);
+    at = other;
+    if (at == json.end()) break;
+    const auto place = static_cast<std::size_t>(at - json.begin());
+    const std::size_t size = std::max<std::size_t>(character_size(json, place), 1);
+    const std::string character = json.substr(place, size);
+    if (is_unseen(json, place)) {
       const std::string escaped = Json(character).dump(-1, ' ', true);
       text.append(escaped, 1, escaped.size() - 2);  // without its quotes
     } else {
       text += character;
     }
-    at += size;
+    at += static_cast<std::ptrdiff_t>(size);
   }
   return text;
 }

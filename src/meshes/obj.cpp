@@ -44,9 +44,10 @@ void read_face(Words& words, Polygons& polygons) {
 
 Mesh read_obj(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  const std::string text = joined(bytes);
+  std::string text;
+  if (bytes.find('\\') != std::string_view::npos) bytes = text = joined(bytes);
   Polygons polygons;
-  Words words(text);
+  Words words(bytes);
   do {
     const std::string_view word = words.in_line();
     if (word == "v") {

@@ -17,7 +17,7 @@ std::string named_by(const std::string& mesh, const std::string& path) {
   const fs::path file = fs::weakly_canonical(folder / path, none);
   const auto end = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first;
   const std::string words = "names " + shown(path) + ", which ";
-  if (path.empty() || path.find('\0') != std::string::npos || end != folder.end())
+  if (path.empty() || path.find('\0') != std::string::npos || folder.empty() || end != folder.end())
     throw ReadError(words + "is not in the folder of the mesh or beneath");
   try {
     return read_input(file.string());

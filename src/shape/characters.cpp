@@ -56,6 +56,7 @@ std::string shown(std::string_view text) {
 
 std::string harmless(std::string_view text, std::string_view kept) {
   std::string result;
+  result.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t size = character_size(text, at);
     const bool is_kept = kept.find(text[at]) != std::string_view::npos;

@@ -74,6 +74,11 @@ std::string view(const PlanarFile& file, const std::string& page) {
 std::string view(SpatialFile file, const std::string& page) {
   const auto* const shape = file.shape ? std::get_if<MeshShape>(&*file.shape) : nullptr;
   if (shape == nullptr) return view(grasp_document(file), page);
+  constexpr std::size_t most = 3'000'000;  // of what browsers take as one text
+  if (const std::size_t count = shape->mesh->triangles.size(); count > most)
+    throw OutputError("the mesh has " + std::to_string(count) +
+                      " triangles, a page shows at most " + std::to_string(most) +
+                      ": give one with fewer, or contacts");
   const std::string mesh = mesh_document(*shape->mesh);
   file.shape.reset();
   return view(grasp_document(file), page, mesh);
