@@ -76,7 +76,7 @@ bool is_surely_inside(const RealGrasp& grasp, const std::optional<Tilt>& tilt,
 
 void check_in_domain(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                      const OptionsClaim& options, const HoldClaim<3>& hold) {
-  check_exact_hold(verdict, place, grasp, hold, options.force_cap);
+  check_least_hold(verdict, place, grasp, hold, options.force_cap);
   verdict.check(place, "an optimum is holdable", hold.holdable);
   if (options.tilt)
     verdict.check(place, "the posture lies in the domain [rad]",
