@@ -285,9 +285,18 @@ void compare(const Json& a, const Json& b, const std::string& path, const std::s
 
 /// The places in which a forgery claims something else, and does not itself say that it has not
 /// been checked.
-std::vector<std::string> changes(const Json& document, const Json& forged,
+std::vector<std::string> changes(const Json& document, Json forged,
                                  const verify::Verdict& verdict) {
   std::vector<std::string> differing, changed;
+  // In space one of the minima instead of another is a hold all the same.
+  if (document.contains("minima_complete") && forged["minima"].is_array()) {
+    const Json& minima = document["minima"];
+    const auto is_one = [&](const Json& hold) {
+      return std::find(minima.begin(), minima.end(), hold) != minima.end();
+    };
+    if (std::all_of(forged["minima"].begin(), forged["minima"].end(), is_one))
+      forged["minima"] = minima;
+  }
   compare(document, forged, "", "", 0, differing);
   for (const std::string& path : differing) {
     const auto& unchecked = verdict.unchecked();
