@@ -132,7 +132,8 @@ void check_other(Verdict& verdict, const Path& place, std::size_t k, const RealG
                   *effort / hold.effort, 1 + 1e-9L);
   if (none || !other) return;
   const Real cap = force_cap * grasp.greatest_weight() / grasp.loads[k].weight;
-  check_least_hold(verdict, of_hold, with_load(grasp, grasp.loads[k]), *other, cap);
+  // In the best posture of all loads this one may be at the limit of what can be held.
+  check_least_hold(verdict, of_hold, with_load(grasp, grasp.loads[k]), *other, cap, true);
   verdict.check(of_hold, "is a hold, in the same posture",
                 other->holdable ? (real(other->up) - real(hold.up)).norm() : 1, rounding);
   verdict.check(of_effort, "the effort of a scenario is that of its hold",
