@@ -96,7 +96,7 @@ void check_forces(Verdict& verdict, const Path& place, const RealGrasp& grasp, c
                 difference(hold.force_norm, std::sqrt(Real{hold.effort})), rounding);
 
   // What the forces lose by their rounding [weights].
-  const Real digits = 2e-15L * (1 + std::sqrt(effort) / load.weight) * Real(forces.size());
+  const Real digits = 1e-14L * (1 + std::sqrt(effort) / load.weight) * Real(forces.size());
   Vec off = wrench(load, real(hold.up));
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const RealContact& contact = grasp.contacts[i];
