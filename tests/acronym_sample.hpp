@@ -20,7 +20,8 @@ inline void write_acronym_mesh(const std::filesystem::path& folder) {
 }
 
 /// A file of that layout: hands that come along -z, their pads at this y.
-inline void write_acronym(const std::filesystem::path& name, const std::vector<double>& ys) {
+inline void write_acronym(const std::filesystem::path& name, const std::vector<double>& ys,
+                          const char* mesh = "meshes/Box/box.obj") {
   const H5::H5File file(name.string(), H5F_ACC_TRUNC);
   for (const char* group :
        {"/object", "/gripper", "/grasps", "/grasps/qualities", "/grasps/qualities/flex"})
@@ -37,7 +38,7 @@ inline void write_acronym(const std::filesystem::path& name, const std::vector<d
     const H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);
     file.createDataSet(path, type, H5::DataSpace(H5S_SCALAR)).write(&words, type);
   };
-  text("/object/file", "meshes/Box/box.obj");
+  text("/object/file", mesh);
   text("/gripper/type", "panda");
   put("/object/scale", {}, {0.001});
   put("/object/mass", {}, {0.1});

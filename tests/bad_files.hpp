@@ -1080,21 +1080,27 @@ inline const std::vector<BadFile> bad_files{
      "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
      "gripper: {type: parallel_jaw, friction: 1, position: [0, 3, 0], opening: 3,\n"
      "  pad: {width: 1, height: 1}}\n",
-     "4:10: gripper: the pads meet nothing: the object is not between them"},
+     "4:10: gripper: the pads meet nothing: the object is not between them; the object is 2 x 2 x "
+     "2 "
+     "m large, its middle at (0, 0, 0) m"},
     {"jaws inside",
      "poise: 1\n"
      "dimension: 3\n"
      "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
      "gripper: {type: parallel_jaw, friction: 1, position: [0, 0, 0], opening: 1,\n"
      "  pad: {width: 0.1, height: 0.1}}\n",
-     "4:10: gripper: both pads begin inside the object: open wider, or move the gripper"},
+     "4:10: gripper: both pads begin inside the object: open wider, or move the gripper; the "
+     "object is 2 x 2 x 2 "
+     "m large, its middle at (0, 0, 0) m"},
     {"one jaw inside",
      "poise: 1\n"
      "dimension: 3\n"
      "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
      "gripper: {type: parallel_jaw, friction: 1, position: [1, 0, 0], opening: 1,\n"
      "  pad: {width: 0.1, height: 0.1}}\n",
-     "4:10: gripper: the left pad begins inside the object: open wider, or move the gripper"},
+     "4:10: gripper: the left pad begins inside the object: open wider, or move the gripper; the "
+     "object is 2 x 2 x 2 "
+     "m large, its middle at (0, 0, 0) m"},
     {"no rays",
      "poise: 1\n"
      "dimension: 3\n"
@@ -1114,14 +1120,17 @@ inline const std::vector<BadFile> bad_files{
      "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
      "gripper: {type: fingertips, friction: 1, rays: [{origin: [0, 0, 2], direction: [0, 0, "
      "1]}]}\n",
-     "4:10: gripper: finger 0 meets nothing: its ray passes the object"},
+     "4:10: gripper: finger 0 meets nothing: its ray passes the object; the object is 2 x 2 x 2 "
+     "m large, its middle at (0, 0, 0) m"},
     {"ray from inside",
      "poise: 1\n"
      "dimension: 3\n"
      "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
      "gripper: {type: fingertips, friction: 1,\n"
      "  rays: [{origin: [0, 0, 0], direction: [0, 0, 1], finger: thumb}]}\n",
-     "4:10: gripper: finger thumb begins inside the object: begin farther out"},
+     "4:10: gripper: finger thumb begins inside the object: begin farther out; the object is 2 x 2 "
+     "x 2 "
+     "m large, its middle at (0, 0, 0) m"},
     {"box of two sizes",
      "poise: 1\n"
      "dimension: 3\n"

@@ -113,7 +113,7 @@ TEST_F(BatchOfAcronym, ResumedItIsTheSame) {
 TEST_F(BatchOfAcronym, WhatIsWrongIsSaid) {
   for (const auto& [arguments, words] : {
            std::pair("batch one.h5", "one.h5: needs --mesh-root"),
-           {"batch none.h5 --mesh-root .", "none.h5: cannot be read: No such file"},
+           {"batch none.h5 --mesh-root .", "none.h5: does not exist"},
            {"batch one.h5 --mesh-root . --hdf5 out.h5", "--hdf5: needs --out"},
            {"batch - --hdf5 out.h5 -o out.jsonl", "--hdf5: is for the ACRONYM data set"},
            {"batch one.h5 --mesh-root . --hdf5 none/out.h5 -o out.jsonl --max-holds 5",
@@ -123,9 +123,92 @@ TEST_F(BatchOfAcronym, WhatIsWrongIsSaid) {
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
   }
-  const Outcome lost = poise("batch one.h5 --mesh-root nowhere");  // the run goes on
-  EXPECT_EQ(lost.status, 1);
-  EXPECT_EQ(Json::parse(lost.out)["error"]["path"], "/object/file");
+  EXPECT_FALSE(fs::exists(folder() / "out.jsonl.part"));
+}
+
+TEST_F(BatchOfAcronym, ABadFileIsBadRecordsAndTheRunGoesOn) {
+  // Without its mesh each grasp is a bad record, so that its arrays are as long as its transforms.
+  fs::create_directory(folder() / "other");
+  write_acronym(folder() / "lost.h5", {0, 0, 0, 0, 0}, "meshes/none.obj");
+  write("no.h5", "no HDF5");
+  const Outcome run =
+      poise(std::string("batch lost.h5 no.h5 two.h5 -o out.jsonl --hdf5 out.h5") + options);
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find("9 records: 2 answered, 0 unholdable, 7 bad"), std::string::npos)
+      << run.err;
+  std::ifstream out(folder() / "out.jsonl");
+  int record = 0;
+  for (std::string line; std::getline(out, line); ++record) {
+    const Json parsed = Json::parse(line);
+    if (record < 5) {
+      EXPECT_EQ(parsed["error"]["path"], "/object/file");
+      EXPECT_EQ(parsed["grasp"], record);
+    } else if (record == 5) {
+      EXPECT_EQ(parsed["error"]["problem"], "is not a file of HDF5");
+      EXPECT_FALSE(parsed.contains("grasp"));
+    }
+  }
+  const H5::H5File file((folder() / "out.h5").string(), H5F_ACC_RDONLY);
+  EXPECT_EQ(numbers(file, "lost/holdable"), std::vector<double>(5, -1));
+  EXPECT_EQ(numbers(file, "lost/best_effort").size(), 5U);
+  EXPECT_EQ(numbers(file, "two/holdable"), (std::vector<double>{1, -1, 1}));
+  EXPECT_FALSE(file.nameExists("no"));
+}
+
+TEST_F(BatchOfAcronym, ABadPoseIsOneBadRecord) {
+  const double none = std::nan("");
+  write_acronym(folder() / "poses.h5", {0, none, 1e30, 0.002});
+  const Outcome run = poise(std::string("batch poses.h5") + options);
+  std::istringstream out(run.out);
+  std::vector<std::string> problems;
+  for (std::string line; std::getline(out, line);)
+    problems.push_back(Json::parse(line).value("error", Json::object()).value("problem", ""));
+  ASSERT_EQ(problems.size(), 4U) << run.err;
+  EXPECT_EQ(problems[0] + problems[3], "");
+  EXPECT_EQ(problems[1], "is no pose: not a turn and a step");
+  EXPECT_EQ(problems[2].find("the left pad is farther than a million times its size"), 0U)
+      << problems[2];
+}
+
+TEST_F(BatchOfAcronym, ClaimsOfManyGraspsAreRefused) {
+  {
+    H5::H5File file((folder() / "many.h5").string(), H5F_ACC_TRUNC);
+    const hsize_t size[] = {100'000'000'000, 4, 4}, chunk[] = {1, 4, 4};
+    H5::DSetCreatPropList chunks;  // which take room only where something is written
+    chunks.setChunk(3, chunk);
+    file.createGroup("/grasps");
+    file.createDataSet("/grasps/transforms", H5::PredType::NATIVE_DOUBLE, H5::DataSpace(3, size),
+                       chunks);
+  }
+  const Outcome run = poise(std::string("batch many.h5 two.h5") + options);
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_EQ(Json::parse(run.out.substr(0, run.out.find('\n')))["error"]["problem"],
+            "has 100000000000 of /grasps/transforms, at most 1000000 are read");
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 4);
+}
+
+TEST_F(BatchOfAcronym, ArraysAreWrittenOverNothing) {
+  const std::string run = "batch one.h5 --mesh-root . -o out.jsonl --hdf5 ";
+  fs::create_directory(folder() / "folder");
+  const std::string before = contents(folder() / "one.h5");
+  for (const auto& [file, words] :
+       {std::pair("one.h5", "one.h5: is read by this command, must be another file"),
+        {"./out.jsonl", "--hdf5: must be another file than that of --out"},
+        {"out.jsonl.part", "--hdf5: must be another file than that of --out"},
+        {"folder", "folder: is a folder, must be a file"},
+        {"/dev/null", "/dev/null and out.jsonl must be files"}}) {
+    const Outcome refused = poise(run + file);
+    EXPECT_EQ(refused.status, 2) << file;
+    EXPECT_NE(refused.err.find(words), std::string::npos) << refused.err;
+    EXPECT_FALSE(fs::exists(folder() / "out.jsonl.part")) << file;
+  }
+  EXPECT_EQ(contents(folder() / "one.h5"), before);
+  fs::copy_file(folder() / "one.h5", folder() / "folder/one.h5");
+  EXPECT_NE(poise("batch one.h5 folder/one.h5 --mesh-root . -o out.jsonl --hdf5 out.h5")
+                .err.find("two inputs would make the group one"),
+            std::string::npos);
+  fs::rename(folder() / "two.h5", folder() / "TWO.H5");
+  EXPECT_EQ(poise(std::string("batch TWO.H5 -o out.jsonl --hdf5 out.h5") + options).status, 1);
 }
 
 }  // namespace

@@ -315,9 +315,9 @@ TEST_F(Batch, ABarOnATerminalAlone) {
 TEST_F(Batch, WhatCannotBeUsedIsRefusedAtOnce) {
   write("in.jsonl", grasps(3));
   for (const auto& [arguments, words] : {
-           std::pair("batch none.jsonl -o out.jsonl", "none.jsonl: cannot be read: No such file"),
-           {"batch in.jsonl -o none/out.jsonl", "none/out.jsonl.part: cannot be written"},
-           {"batch in.jsonl -o in.jsonl/out", "cannot be written: Not a directory"},
+           std::pair("batch none.jsonl -o out.jsonl", "none.jsonl: does not exist"),
+           {"batch in.jsonl -o none/out.jsonl", "none/out.jsonl: cannot be written"},
+           {"batch in.jsonl -o in.jsonl/out", "in.jsonl/out: cannot be written: Not a directory"},
            {"batch in.jsonl -o out.jsonl --up 0,1", "--up: is for --what hold"},
            {"batch in.jsonl -o out.jsonl --what hold --gap 0.1", "--gap: is for --what best"},
            {"batch in.jsonl --what all", "--what: 'all' must be best or hold"},

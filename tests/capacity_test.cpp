@@ -91,8 +91,12 @@ TEST(Capacity, OfAFingerBelowIsItsGreatestForce) {
   EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
   EXPECT_TRUE(narrow(range.least.weight, range.least.bound));
   EXPECT_NEAR(range.deciding[0].per_newton, 1, 1e-9);
-  EXPECT_FALSE(least_friction(grasp, grasp.loads().front(), upright).posture.hold().holdable);  // 1 N is too little for it
-  EXPECT_EQ(least_friction(with_weight(grasp, 5), with_weight(grasp, 5).loads().front(), upright).factor, 0);
+  EXPECT_FALSE(least_friction(grasp, grasp.loads().front(), upright)
+                   .posture.hold()
+                   .holdable);  // 1 N is too little for it
+  EXPECT_EQ(
+      least_friction(with_weight(grasp, 5), with_weight(grasp, 5).loads().front(), upright).factor,
+      0);
 }
 
 TEST(Capacity, IsNothingWhereNothingHolds) {
@@ -114,7 +118,8 @@ TEST(Capacity, IsNothingWhereNothingHolds) {
 }
 
 TEST(Capacity, HasNoEndWhereNothingLimitsTheFingers) {
-  const WeightRange<2> range = weight_range(vice(0.4, infinity), vice(0.4, infinity).loads().front(), upright);
+  const WeightRange<2> range =
+      weight_range(vice(0.4, infinity), vice(0.4, infinity).loads().front(), upright);
   EXPECT_TRUE(range.holdable);
   EXPECT_EQ(range.greatest.weight, infinity);
   EXPECT_EQ(range.greatest.bound, infinity);
@@ -287,14 +292,15 @@ void check_range(const Grasp<Dim>& grasp, const Vector<Dim>& up) {
                        load_of(with_weight(grasp, range.greatest.weight), up),
                        range.greatest.posture.hold()));
   } else {
-    RC_ASSERT(
-        balances(without_limits(grasp), load_of(without_limits(grasp), up), range.greatest.posture.hold()));
+    RC_ASSERT(balances(without_limits(grasp), load_of(without_limits(grasp), up),
+                       range.greatest.posture.hold()));
     RC_ASSERT(hold<Dim>(with_weight(grasp, 1e6 * (1 + range.least.weight)), up).holdable);
   }
   if (range.least.weight > 0) {
     RC_ASSERT(difference(range.least.weight, least) <= (hidden ? 0.7 : 1e-3));
     RC_ASSERT(balances(with_weight(grasp, range.least.weight),
-                       load_of(with_weight(grasp, range.least.weight), up), range.least.posture.hold()));
+                       load_of(with_weight(grasp, range.least.weight), up),
+                       range.least.posture.hold()));
   }
 }
 
@@ -329,6 +335,43 @@ RC_GTEST_PROP(CapacityInSpace, HoldsAndProvesWhatItSays, ()) {
 RC_GTEST_PROP(CapacityInSpace, LeastFrictionHoldsAndProvesWhatItSays, ()) {
   const space::Held held = *space::grasps();
   if (one_in(20)) check_friction(held.grasp(), space::random_direction());
+}
+
+TEST(Capacity, LeastFrictionOfACrateOnARampThatIsPushed) {
+  // P = 100 N along the level: what is left of the pull along the ramp is mu times the pressure.
+  const double s = 0.5, c = std::sqrt(0.75), W = 490.5, P = 100, mu = 0.25;
+  const Vector<2> up_the_ramp(c, s), normal(-s, c);
+  const Grasp<2> grasp({W, {0, 0}}, {finger(0.3 * up_the_ramp - 0.3 * normal, normal, mu),
+                                     finger(-0.3 * up_the_ramp - 0.3 * normal, normal, mu),
+                                     finger({-0.3464, 0}, {1, 0}, 0, P)});
+  const LeastFriction<2> friction = least_friction(grasp, grasp.loads().front(), upright);
+  const double least = (W * s - P * c) / (W * c + P * s);
+  EXPECT_NEAR(mu * friction.factor, least, 1e-6);
+  EXPECT_NEAR(mu * friction.bound, least, 1e-6);
+}
+
+/// More friction never harms, so holding tells on which side of the least it is.
+template <int Dim>
+void check_friction_by_holding(Grasp<Dim> grasp, const Vector<Dim>& up) {
+  grasp = with_contacts(grasp, [](Contact<Dim>& contact) {
+    if (one_in(2)) contact.max_normal = contact.min_normal + real(0.5, 4);
+  });
+  const LeastFriction<Dim> least = least_friction(grasp, grasp.loads().front(), up);
+  for (double factor = 1e-3; factor < 1e5; factor *= real(1.5, 4)) {
+    const bool held = hold<Dim>(with_friction(grasp, factor), up).holdable;
+    RC_ASSERT(!held || factor >= least.bound * (1 - 1e-9));
+    RC_ASSERT(held || factor <= least.factor * (1 + 1e-5));
+  }
+}
+
+RC_GTEST_PROP(Capacity, LeastFrictionIsWhereHoldingBegins, ()) {
+  const Held held = *grasps({.awkward = false});
+  check_friction_by_holding(held.grasp(), up_at(random_angle()));
+}
+
+RC_GTEST_PROP(CapacityInSpace, LeastFrictionIsWhereHoldingBegins, ()) {
+  const space::Held held = *space::grasps({.most_contacts = 6, .awkward = false});
+  if (one_in(20)) check_friction_by_holding(held.grasp(), space::random_direction());
 }
 
 // ---- Space

@@ -295,8 +295,8 @@ TEST(GraspFile, IsReadFromDisk) {
     }
     return std::string();
   };
-  EXPECT_EQ(problem(folder.string()), "is a directory, must be a file");
-  EXPECT_EQ(problem(file + "x"), "cannot be opened: No such file or directory");
+  EXPECT_EQ(problem(folder.string()), "is a folder, must be a file");
+  EXPECT_EQ(problem(file + "x"), "does not exist");
   std::ofstream(file) << "";
   EXPECT_EQ(problem(file), "is empty, must be a grasp file");
   std::ofstream(file) << std::string(max_text + 1, '#');

@@ -415,6 +415,11 @@ TEST_F(MeshFile, ARobotModelKnowsMassAndCom) {
   write("no.urdf", std::string("<robot>"));
   EXPECT_EQ(problem("{inertial: {urdf: no.urdf, link: cup}}"),
             "object.inertial.urdf: no.urdf is not a robot model (URDF)");
+  std::string deep = "<robot name=\"a\">";
+  for (int k = 0; k < 200000; ++k) deep += "<a b=\"/>\">";
+  write("deep.urdf", deep);
+  EXPECT_EQ(problem("{inertial: {urdf: deep.urdf, link: cup}}"),
+            "object.inertial.urdf: deep.urdf is nested too deeply for a robot model");
 }
 
 // The data sets, where they are.

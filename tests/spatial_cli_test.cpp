@@ -634,5 +634,15 @@ TEST_F(Space, ExamplesWithMeshesAnswerAsTheyAreSaidTo) {
   EXPECT_GT(std::min(com.x(), com.z()), 0.012);
 }
 
+TEST_F(Space, SmallMomentsAreShownWithTheirDigits) {
+  // The com is 1 um beside the line between two soft fingers: each bears half of 1e-5 N m.
+  write("soft.yaml",
+        "poise: 1\ndimension: 3\nup: [0, 0, 1]\nobject: {weight: 10, com: [0, 1e-6, 0]}\n"
+        "contacts:\n"
+        "  - {position: [-1, 0, 0], normal: [1, 0, 0], friction: 0.8, torsion: 0.1}\n"
+        "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 0.8, torsion: 0.1}\n");
+  EXPECT_NE(poise("hold soft.yaml").out.find(" 0.000005000 "), std::string::npos);
+}
+
 }  // namespace
 }  // namespace poise

@@ -4,13 +4,14 @@
 #include <map>
 
 #include "ask/document.hpp"
+#include "shape/characters.hpp"
 #include "tables/report.hpp"
 
 namespace poise {
 
 void warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings)
-    std::fputs(("poise: " + warning + "\n").c_str(), stderr);
+    std::fputs(("poise: " + harmless(warning) + "\n").c_str(), stderr);
 }
 
 UsageError usage_error(const Misfit& misfit, const std::string& file) {
@@ -44,7 +45,7 @@ Reply reply(const Asked& asked, const FileOf<Dim>& file, const Grasp<Dim>& grasp
   const AnswerTo<Dim> answer = ask(file, grasp, asked.question);
   const auto table = [&](const auto& own) { return report(file, grasp, own, style_of_output()); };
   return {asked.json ? document(file, grasp, answer) : std::visit(table, answer.of),
-          holdable(answer)};
+          holdable(answer), proven(answer)};
 }
 
 }  // namespace

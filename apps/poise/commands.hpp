@@ -14,8 +14,9 @@ namespace poise {
 
 /// What a command has to say.
 struct Reply {
-  std::string text;  ///< for standard output
-  bool yes{true};    ///< it can be held (somewhere), or is confirmed
+  std::string text;   ///< for standard output
+  bool yes{true};     ///< it can be held (somewhere), or is confirmed
+  bool proven{true};  ///< that it cannot, where it does not say yes
 };
 using Run = std::function<Reply()>;
 

@@ -8,17 +8,19 @@
 #include "commands.hpp"
 #include "files/file_error.hpp"
 #include "pictures/plot.hpp"
+#include "shape/characters.hpp"
 
 namespace {
 
-enum Status { can_be_held = 0, cannot_be_held = 1, bad_input = 2, defect = 3 };
+enum Status { can_be_held = 0, cannot_be_held = 1, bad_input = 2, defect = 3, undecided = 4 };
 
 void complain(const std::string& problem) {
-  std::fputs(("poise: " + problem + "\n").c_str(), stderr);
+  std::fputs(("poise: " + poise::harmless(problem) + "\n").c_str(), stderr);
 }
 
 /// Writes to standard output; false if not all of it arrived there.
-bool print(const std::string& text) {
+bool print(const std::string& answer) {
+  const std::string text = poise::harmless(answer, "\n\t\033");  // which are our own
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (written && std::fflush(stdout) == 0) return true;
@@ -34,7 +36,7 @@ int run(int argc, char** argv) {
     return print(*text) ? can_be_held : bad_input;
   const poise::Reply reply = std::get<poise::Run>(asked)();
   if (!print(reply.text)) return bad_input;
-  return reply.yes ? can_be_held : cannot_be_held;
+  return reply.yes ? can_be_held : reply.proven ? cannot_be_held : undecided;
 }
 
 }  // namespace

@@ -117,6 +117,19 @@ BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question
   return answer;
 }
 
+/// The posture in which it is held now counts as found: it may be all that can be held.
+void consider(Best<3>& best, const Posture<3>& now, const SpatialSettings& settings) {
+  if (!now.holdable() || (best.holdable() && best.best().effort() <= now.effort())) return;
+  if (settings.tilt && now.up.dot(settings.tilt->from.normalized()) < std::cos(settings.tilt->most))
+    return;
+  const double effort = now.effort();
+  best.minima.insert(best.minima.begin(), {now});
+  if (best.pinched) ++*best.pinched;
+  best.lower_bound = std::min(best.lower_bound, effort);
+  best.relative_gap = (effort - best.lower_bound) / effort;
+  best.status = best.relative_gap <= settings.gap ? Status::optimal : Status::gap;
+}
+
 BestAnswer<3> best(const SpatialFile& file, const Grasp<3>& grasp, const Question& question) {
   if (question.domain.value_or(Domain::all) == Domain::pinched)
     throw Misfit("domain", "pinched is for the plane,", 3);
@@ -127,6 +140,7 @@ BestAnswer<3> best(const SpatialFile& file, const Grasp<3>& grasp, const Questio
                                             : Eigen::Quaterniond::Identity();
   const Vector<3> now = answer.orientation.conjugate() * Vector<3>::UnitZ();
   if (question.orientation || file.up) answer.now = posture_at(grasp, now, {settings.force_cap});
+  if (answer.now) consider(answer.best, *answer.now, settings);
   if (answer.best.status == Status::unholdable)
     answer.unholdable =
         posture_at(grasp, settings.tilt ? settings.tilt->from : now, {settings.force_cap});
@@ -243,6 +257,27 @@ bool holdable(const AnswerTo<Dim>& answer) {
       answer.of);
 }
 
+template <int Dim>
+bool proven(const AnswerTo<Dim>& answer) {
+  return std::visit(
+      Overloaded{[](const CheckAnswer<Dim>&) { return true; },
+                 [](const HoldAnswer<Dim>& hold) { return hold.posture.hold().proven; },
+                 [](const BestAnswer<2>& best) { return best.best.proof.curve.undecided.empty(); },
+                 [](const BestAnswer<3>& best) { return best.best.status != Status::gap; },
+                 [](const CurveAnswer& curve) { return curve.curve.undecided.empty(); },
+                 [](const CapacityAnswer<Dim>& capacity) {
+                   const auto open = [](const CapacityAt<Dim>& each) {
+                     const LeastFriction<Dim>& friction = each.capacity.friction;
+                     return friction.factor > 1 && !(friction.bound >= 1);
+                   };
+                   return std::none_of(capacity.capacities.begin(), capacity.capacities.end(),
+                                       open);
+                 }},
+      answer.of);
+}
+
+template bool proven(const AnswerTo<2>&);
+template bool proven(const AnswerTo<3>&);
 template bool holdable(const AnswerTo<2>&);
 template bool holdable(const AnswerTo<3>&);
 

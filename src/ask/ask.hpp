@@ -38,6 +38,9 @@ AnswerTo<3> ask(const SpatialFile& file, const Grasp<3>& grasp, const Question& 
 /// `check` does not ask.
 template <int Dim>
 bool holdable(const AnswerTo<Dim>& answer);
+/// Whether that it cannot be held is proven, where it is not holdable().
+template <int Dim>
+bool proven(const AnswerTo<Dim>& answer);
 
 /// A posture to look at, and which one it is: given, now (that of the file), best or upright.
 template <int Dim>

@@ -1,5 +1,7 @@
 #include "batch/hdf5.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -8,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "files/file_error.hpp"
+#include "files/output.hpp"
 #include "readers/readers.hpp"
 
 namespace poise {
@@ -100,7 +102,8 @@ struct Part {
 }  // namespace
 
 void write_hdf5(const std::string& records, const std::string& path) {
-  const Part part(path + ".part");
+  const Target target = target_of(path);
+  const Part part(target.path + "." + std::to_string(getpid()) + ".part");
   std::ifstream in(records, std::ios::binary);
   std::string file;
   FileArrays same;
@@ -112,6 +115,7 @@ void write_hdf5(const std::string& records, const std::string& path) {
   try {
     for (std::string line; std::getline(in, line);) {
       const Json record = Json::parse(line);
+      if (!record.contains("grasp")) continue;  // of a file of which nothing is known
       if (record.at("file") != file) write();
       file = record["file"];
       same.add(record);
@@ -120,7 +124,7 @@ void write_hdf5(const std::string& records, const std::string& path) {
   } catch (const WriteError& error) {
     throw FileError(path, {}, "", error.what());
   }
-  if (std::rename(part.path.c_str(), path.c_str()) != 0)
+  if (std::rename(part.path.c_str(), target.path.c_str()) != 0)
     throw FileError(path, {}, "", "cannot be written: " + std::generic_category().message(errno));
 }
 

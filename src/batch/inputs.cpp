@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <vector>
+
+#include "readers/input.hpp"
 
 namespace poise {
 namespace {
@@ -22,16 +25,27 @@ Json state_of(const fs::path& path) {
           {"changed", fs::last_write_time(path).time_since_epoch().count()}};
 }
 
+/// @throws FileError unless it is a file that has an end
+void check(const std::string& path) {
+  try {
+    check_input(path);
+  } catch (const ReadError& error) {
+    throw FileError(path, {}, "", error.what());
+  }
+}
+
 class JsonLines : public Inputs {
  public:
   explicit JsonLines(std::string path) : path_(std::move(path)) {
-    if (path_ == "-") return;
+    if (path_ == "-") {
+      note_input(path_);
+      return;
+    }
+    check(path_);
     errno = 0;
     file_.open(path_, std::ios::binary);
-    if (!file_ || !fs::is_regular_file(path_))
-      throw FileError(path_, {}, "",
-                      "cannot be read: " +
-                          (file_ ? "it is not a file" : std::generic_category().message(errno)));
+    if (!file_)
+      throw FileError(path_, {}, "", "cannot be opened: " + std::generic_category().message(errno));
     bytes_ = static_cast<double>(fs::file_size(path_));
   }
 
@@ -68,9 +82,12 @@ class Folder : public Inputs {
   explicit Folder(std::string path) : path_(std::move(path)) {
     std::error_code error;
     for (fs::directory_iterator at(path_, error), end; !error && at != end; at.increment(error)) {
-      const std::string extension = at->path().extension();
-      if (extension == ".yaml" || extension == ".yml" || extension == ".json")
-        names_.push_back(at->path().filename());
+      const std::string name = at->path().filename();
+      if (name.starts_with('.')) continue;  // hidden: editors and file systems leave such
+      if (!has_ending(name, ".yaml") && !has_ending(name, ".yml") && !has_ending(name, ".json"))
+        continue;
+      names_.push_back(name);
+      note_input(at->path());
     }
     if (error) throw FileError(path_, {}, "", "cannot be read: " + error.message());
     if (names_.empty())
@@ -95,26 +112,26 @@ class Folder : public Inputs {
   std::size_t records_{0};
 };
 
-/// A file of the ACRONYM data set, open from its first grasp to its last. One that cannot be read
-/// is a single bad record.
+/// A file of the ACRONYM data set, open from its first grasp to its last. One of which it is not
+/// known how many grasps it has is a single bad record.
 class AcronymFile : public Inputs {
  public:
   AcronymFile(std::string path, std::string mesh_root)
       : path_(std::move(path)), mesh_root_(std::move(mesh_root)) {
-    std::error_code error;
-    static_cast<void>(fs::file_size(path_, error));
-    if (error) throw FileError(path_, {}, "", "cannot be read: " + error.message());
+    check(path_);
   }
 
   std::optional<Unread> next() override {
     if (ended_) return {};
     try {
       if (!data_) data_ = std::make_shared<const Acronym>(path_, mesh_root_);
-    } catch (const FileError& error) {
+    } catch (const std::exception&) {
       ended_ = true;
       RecordKey key = key_of_acronym(path_, 0);
       key.grasp.reset();
-      return Unread{std::move(key), [error]() -> GraspFile { throw error; }};
+      return Unread{std::move(key), [error = std::current_exception()]() -> GraspFile {
+                      std::rethrow_exception(error);
+                    }};
     }
     if (grasps_ < data_->size()) {
       const std::size_t n = grasps_++;
@@ -167,7 +184,7 @@ class Several : public Inputs {
 };
 
 std::unique_ptr<Inputs> open_input(const std::string& path, const std::string& mesh_root) {
-  if (path.ends_with(".h5")) return std::make_unique<AcronymFile>(path, mesh_root);
+  if (has_ending(path, ".h5")) return std::make_unique<AcronymFile>(path, mesh_root);
   if (path != "-" && fs::is_directory(path)) return std::make_unique<Folder>(path);
   return std::make_unique<JsonLines>(path);
 }

@@ -31,8 +31,8 @@ class Inputs {
 
 /// One after the other.
 /// @param paths  each a file of JSON Lines, "-" for standard input, or a folder, of whose files
-///               those that end in .yaml, .yml and .json are taken in the order of their names, or
-///               a file of the ACRONYM data set, which ends in .h5
+///               those that end in .yaml, .yml and .json and are not hidden are taken in the order
+///               of their names, or a file of the ACRONYM data set, which ends in .h5
 /// @param mesh_root  the folder that has the meshes/ of the data set
 /// @throws FileError for what cannot be opened, and for a folder without grasp files
 std::unique_ptr<Inputs> open_inputs(const std::vector<std::string>& paths,

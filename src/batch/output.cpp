@@ -11,29 +11,35 @@
 #include <sstream>
 #include <system_error>
 
-#include "files/file_error.hpp"
+#include "files/output.hpp"
 
 namespace poise {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether all of it arrived; errno says why not.
-bool write_all(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(file, text.data(), text.size());
-    if (written < 0 && errno != EINTR) return false;
-    if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
+/// What stands beside the output must not be what is read, a folder, or the like.
+void check_beside(const std::string& path) {
+  if (target_of(path).is_stream) throw FileError(path, {}, "", "is not a file to write to");
 }
 
 }  // namespace
 
 Output::Output(std::string path, const std::string& run, bool resume,
                const std::function<void(const std::string&)>& seen)
-    : path_(std::move(path)), part_(path_ + ".part"), run_(path_ + ".run") {
+    : path_(std::move(path)), name_(path_.empty() ? "standard output" : path_) {
   if (path_.empty()) return;
+  const Target target = target_of(path_);
+  path_ = target.is_stream ? "" : target.path;
+  if (target.is_stream) {
+    if (resume) throw FileError(name_, {}, "", "is not a file, which --resume needs");
+    file_ = open_stream(name_);
+    return;
+  }
+  part_ = path_ + ".part";
+  run_ = path_ + ".run";
+  check_beside(part_);
+  check_beside(run_);
   if (resume && fs::exists(part_)) {
     resume_part(run, seen);
   } else if (resume && fs::exists(path_)) {
@@ -45,7 +51,7 @@ Output::Output(std::string path, const std::string& run, bool resume,
 }
 
 Output::~Output() {
-  if (!path_.empty() && file_ >= 0) close(file_);
+  if (file_ > STDERR_FILENO) close(file_);
 }
 
 void Output::start(const std::string& run) {
@@ -95,7 +101,7 @@ void Output::write(std::string_view line) {
   if (!write_all(file_, line)) {
     const int error = errno;
     if (path_.empty())
-      throw FileError("standard output", {}, "",
+      throw FileError(name_, {}, "",
                       "cannot be written: " + std::generic_category().message(error));
     if (ftruncate(file_, bytes_) != 0) {  // --resume cuts it off
     }
@@ -109,6 +115,7 @@ void Output::write(std::string_view line) {
 
 void Output::finish() {
   if (path_.empty() || finished_) return;
+  target_of(path_);  // by now it may have been read
   if (fsync(file_) != 0 || std::rename(part_.c_str(), path_.c_str()) != 0)
     fail("cannot be finished", errno);
   unlink(run_.c_str());

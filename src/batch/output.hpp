@@ -8,14 +8,15 @@
 
 namespace poise {
 
-/// Standard output, or a file. The file grows as FILE.part and gets its name when it is whole;
-/// beside it FILE.run tells what is being done.
+/// Standard output, a device or a pipe, or a file. The file grows as FILE.part and gets its name
+/// when it is whole; beside it FILE.run tells what is being done.
 class Output {
  public:
   /// @param path  "" for standard output
   /// @param run   what is being done: a part is only continued by the same
   /// @param seen  is called with each record that is there already
-  /// @throws FileError for a file that cannot be written, for a part where none is to be
+  /// @throws FileError for a file that cannot be written (files/output.hpp), for a part where none
+  /// is to be
   ///         continued, and for a part of another run
   Output(std::string path, const std::string& run, bool resume,
          const std::function<void(const std::string&)>& seen);
@@ -25,6 +26,8 @@ class Output {
 
   /// How many records are there already.
   std::size_t records() const { return records_; }
+  /// Where they are until then.
+  const std::string& part() const { return part_; }
   /// Whether the file is there and whole: nothing is left to do.
   bool finished() const { return finished_; }
   /// Adds a line. @throws FileError where it does not fit; the records before it stay usable.
@@ -39,7 +42,7 @@ class Output {
   void start(const std::string& run);
   [[noreturn]] void fail(const std::string& what, int error) const;
 
-  std::string path_, part_, run_;
+  std::string path_, name_, part_, run_;
   int file_{1};
   long long bytes_{0};  ///< in whole lines
   std::size_t records_{0};

@@ -1,10 +1,12 @@
 #include "batch/record.hpp"
 
 #include <filesystem>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "ask/ask.hpp"
 #include "ask/document.hpp"
+#include "files/json_text.hpp"
 
 namespace poise {
 namespace {
@@ -60,6 +62,10 @@ Json answer(const std::function<GraspFile()>& read, const Question& question) {
                    misfit.problem() + " the grasp is in " +
                        (misfit.dimension() == 2 ? "the plane" : "space") +
                        (misfit.option() == "angle" ? ": give up" : ""));
+  } catch (const std::bad_alloc&) {
+    return problem({}, "", "needs more memory than there is");
+  } catch (const std::exception& error) {  // of the others nothing is known
+    return problem({}, "", std::string("defect in poise, please report it: ") + error.what());
   }
 }
 
@@ -77,7 +83,8 @@ Record answer_record(const RecordKey& key, const std::function<GraspFile()>& rea
   if (!key.file.empty()) record["file"] = key.file;
   if (key.grasp) record["grasp"] = *key.grasp;
   record.update(answer(read, question));
-  return {record.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n', outcome(record)};
+  return {with_escapes(record.dump(-1, ' ', false, Json::error_handler_t::replace)) + '\n',
+          outcome(record)};
 }
 
 GraspFile grasp_of_line(const std::string& line) {

@@ -3,29 +3,16 @@
 #include <filesystem>
 
 #include "files/mesh_field.hpp"
+#include "shape/characters.hpp"
 
 namespace poise {
 namespace {
 
 AcronymData read(const std::string& file) {
-  AcronymData data;
   try {
-    data = read_acronym(file);
+    return read_acronym(file);
   } catch (const ReadError& error) {
     throw FileError(file, {}, "", error.what());
-  }
-  if (data.gripper != "panda")
-    throw FileError(file, {}, "/gripper/type", "is " + data.gripper + ", must be panda");
-  return data;
-}
-
-Solid read_shape(const std::string& file, const AcronymData& data, const std::string& mesh_root,
-                 std::vector<std::string>& notes) {
-  const std::string mesh = (std::filesystem::path(mesh_root) / data.mesh).string();
-  try {
-    return mesh_shape(mesh, data.scale, notes);
-  } catch (const ReadError& error) {
-    throw FileError(file, {}, "/object/file", mesh + " " + error.what());
   }
 }
 
@@ -45,16 +32,29 @@ ParallelJaw panda() {
 }  // namespace
 
 Acronym::Acronym(const std::string& file, const std::string& mesh_root)
-    : file_(file),
-      data_(read(file)),
-      shape_(read_shape(file, data_, mesh_root, notes_)),
-      surface_(shape_) {}
+    : file_(file), data_(read(file)) {
+  if (!data_.problem.empty()) {
+    problem_.emplace(file_, Place{}, "", data_.problem);
+  } else if (data_.gripper != "panda") {
+    problem_.emplace(file_, Place{}, "/gripper/type",
+                     "is " + shown(data_.gripper) + ", must be panda");
+  } else {
+    const std::string mesh = (std::filesystem::path(mesh_root) / data_.mesh).string();
+    try {
+      shape_ = mesh_shape(mesh, data_.scale, notes_);
+      surface_.emplace(shape_);
+    } catch (const ReadError& error) {
+      problem_.emplace(file_, Place{}, "/object/file", harmless(mesh) + " " + error.what());
+    }
+  }
+}
 
 SpatialFile Acronym::grasp(std::size_t n) const {
+  if (problem_) throw FileError(*problem_);
   const Eigen::Matrix4d& transform = data_.transforms.at(n);
   const Eigen::Matrix3d turn = transform.topLeftCorner<3, 3>();
-  if (!(turn * turn.transpose()).isIdentity(1e-4) || turn.determinant() < 0 ||
-      (transform.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() > 1e-9)
+  if (!transform.allFinite() || !(turn * turn.transpose()).isIdentity(1e-4) ||
+      turn.determinant() < 0 || (transform.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() > 1e-9)
     throw FileError(file_, {}, "/grasps/transforms[" + std::to_string(n) + "]",
                     "is no pose: not a turn and a step");
   ParallelJaw jaw = panda();
@@ -66,10 +66,13 @@ SpatialFile Acronym::grasp(std::size_t n) const {
   result.name = std::filesystem::path(file_).stem().string() + ", grasp " + std::to_string(n);
   result.shape = shape_;
   result.loads = {{.weight = data_.mass * standard_gravity, .com = data_.com}};
-  result.contacts = contacts(jaw, surface_);
+  std::vector<std::string> behind;
+  result.contacts = contacts(jaw, *surface_, &behind);
   result.gripper = jaw;
   for (const std::string& note : notes_)
     result.warnings.push_back(located(file_, {}, "/object/file", note));
+  for (const std::string& note : behind)
+    result.warnings.push_back(located(file_, {}, "gripper", note));
   if (!held(n))
     result.warnings.push_back(
         located(file_, {}, "/grasps/qualities/flex/object_in_gripper[" + std::to_string(n) + "]",

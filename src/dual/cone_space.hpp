@@ -156,7 +156,8 @@ Slide<Real> slide(const Contact<3>& contact, const Twist<3>& y) {
   const Real3 n = contact.normal.cast<Real>(), omega = y.tail<3>().cast<Real>();
   const Real3 u = y.head<3>().cast<Real>() + omega.cross(contact.position.cast<Real>());
   const Real turn = contact.torsion > 0 ? omega.dot(n) * contact.torsion / contact.friction : 0;
-  return {u.dot(n), std::hypot((u - u.dot(n) * n).norm(), turn)};
+  const Real along = u.dot(n);
+  return {along, std::sqrt((u - along * n).squaredNorm() + turn * turn)};
 }
 
 /// Whether a force, and the moment about the normal, are in the contact's cone.

@@ -49,6 +49,25 @@ template <class T, int n>
   return x;
 }
 
+/// M⁻¹ of a full positive definite M, by sweeps, which are LDLᵀ in place. False where a pivot is
+/// not above `least`.
+template <int n>
+bool invert(SmallSquare<double, n>& M, double least) {
+#pragma GCC unroll 6
+  for (int k = 0; k < n; ++k) {
+    const double pivot = M(k, k);
+    if (!(pivot > least)) return false;
+    const double over = 1 / pivot;
+    const SmallColumn<double, n> column = M.col(k), part = column * over;
+    M.noalias() -= column * part.transpose();
+    M.row(k) = part.transpose();
+    M.col(k) = part;
+    M(k, k) = -over;
+  }
+  M = -M;
+  return true;
+}
+
 /// xᵀ M x.
 template <class T, int n>
 T quadratic(const SmallSquare<T, n>& M, const SmallColumn<T, n>& x) {

@@ -1,6 +1,5 @@
 #include "dual/scaled_hand.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,6 +7,8 @@
 #include <limits>
 
 #include "dual/cone_space.hpp"
+#include "dual/dual.hpp"
+#include "dual/newton.hpp"
 
 namespace poise {
 namespace {
@@ -20,10 +21,8 @@ constexpr double unfelt_eigenvalue = 1e-14;
 
 template <class Matrix, class Twist>
 Matrix pseudo_inverse(const Matrix& GGt, std::vector<Twist>& kernel) {
-  const Eigen::LLT<Matrix> regular(GGt);
-  if (regular.info() == Eigen::Success && regular.matrixLLT().diagonal().cwiseAbs2().minCoeff() >
-                                              safe_pivot * GGt.diagonal().maxCoeff())
-    return regular.solve(Matrix::Identity());
+  Matrix inverse = GGt;
+  if (dual::invert(inverse, safe_pivot * GGt.diagonal().maxCoeff())) return inverse;
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(GGt);
   auto values = eigen.eigenvalues().eval();
   const double least = unfelt_eigenvalue * values.maxCoeff();
@@ -119,11 +118,16 @@ void Hand<2>::Scaled::prepare() {
 
 template <>
 void Hand<3>::Scaled::prepare() {
-  Eigen::Matrix<double, 6, 6> GGt = Eigen::Matrix<double, 6, 6>::Zero();
-  for (std::size_t i = 0; i < size; ++i) {
-    const Eigen::Matrix<double, 6, 4> G = dual::columns(lanes[i / lane_size], i % lane_size);
-    GGt.noalias() += G * G.transpose();
+  // Where every contact presses and none slides, the dual function's curvature is G G^T.
+  dual::Point<3> pressing(size);
+  for (dual::LaneForces<3, double>& lane : pressing.lanes) {
+    lane = dual::LaneForces<3, double>{};
+    lane.f[0] += 1;
   }
+  Cones<3> unlimited = cones(1);
+  unlimited.limited = false;
+  Eigen::Matrix<double, 6, 6> GGt = dual::curvature<3, double>(unlimited, pressing);
+  GGt.triangularView<Eigen::StrictlyLower>() = GGt.transpose();
   unfelt.clear();
   inverse = pseudo_inverse(GGt, unfelt);
   // A very soft finger takes digits from the others in G G^T, not in G.

@@ -295,7 +295,10 @@ void close_gripper(const Field& root, const Field& gripper, double unit, Spatial
   if (!file.shape) gripper.fail("needs a shape to close on: give object.shape");
   file.gripper = read_gripper(gripper, unit);
   try {
-    file.contacts = contacts(*file.gripper, Surface(*file.shape));
+    std::vector<std::string> notes;
+    file.contacts = contacts(*file.gripper, Surface(*file.shape), &notes);
+    for (const std::string& note : notes)
+      file.warnings.push_back(located(gripper.file(), gripper.place(), gripper.path(), note));
   } catch (const MissedGrip& error) {
     gripper.fail(error.what());
   }

@@ -1,6 +1,9 @@
 #include "files/json_text.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+
+#include "shape/characters.hpp"
 
 namespace poise {
 namespace {
@@ -47,7 +50,23 @@ void write(const Json& value, std::size_t indent, std::string& text) {
 std::string json_text(const Json& value) {
   std::string text;
   write(value, 0, text);
-  return text + '\n';
+  return with_escapes(text) + '\n';
+}
+
+std::string with_escapes(const std::string& json) {
+  std::string text;
+  for (std::size_t at = 0; at < json.size();) {
+    const std::size_t size = std::max<std::size_t>(character_size(json, at), 1);
+    const std::string character = json.substr(at, size);
+    if (is_unseen(json, at)) {
+      const std::string escaped = Json(character).dump(-1, ' ', true);
+      text.append(escaped, 1, escaped.size() - 2);  // without its quotes
+    } else {
+      text += character;
+    }
+    at += size;
+  }
+  return text;
 }
 
 }  // namespace poise

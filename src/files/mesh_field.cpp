@@ -15,13 +15,19 @@ namespace {
 }  // namespace
 
 MeshShape mesh_shape(const std::string& file, double scale, std::vector<std::string>& notes) {
-  MendedMesh mended = poise::mended(read_mesh(file));
-  if (mended.mesh.triangles.empty() || !bounds(mended.mesh).diagonal().allFinite())
-    throw ReadError(mended.defect);
+  const auto check_size = [](const Mesh& mesh) {
+    const double size = bounds(mesh).diagonal().stableNorm() / 2;
+    if (!std::isnormal(size * size))
+      throw ReadError("has a size of " + number_text(size, 3) + " m, too " +
+                      (size < 1 ? "small" : "large") + " to compute with");
+  };
+  const Mesh mesh = read_mesh(file);
+  if (mesh.triangles.empty()) throw ReadError("has no triangles");
+  check_size(mesh);
+  MendedMesh mended = poise::mended(mesh);
+  if (mended.mesh.triangles.empty()) throw ReadError(mended.defect);
   for (Vector<3>& vertex : mended.mesh.vertices) vertex *= scale;
-  if (const double size = bounds(mended.mesh).diagonal().norm() / 2; !std::isnormal(size * size))
-    throw ReadError("has a size of " + number_text(size, 3) + " m, too " +
-                    (size < 1 ? "small" : "large") + " to compute with");
+  check_size(mended.mesh);
   notes = std::move(mended.repairs);
   if (!mended.defect.empty())
     notes.push_back(mended.defect +

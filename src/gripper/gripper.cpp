@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+
+#include "shape/number_text.hpp"
 
 namespace poise {
 namespace {
@@ -28,11 +31,20 @@ struct Touch {
   bool inside{false};  ///< the ray begins in the object
 };
 
+bool from_behind(const Meeting& meeting, const Vector<3>& direction) {
+  return direction.dot(meeting.outward) > 0;
+}
+
 Touch touch(const Surface& surface, const Vector<3>& origin, const Vector<3>& direction,
-            double farthest) {
+            double farthest, const std::string& finger) {
+  const Eigen::AlignedBox3d& box = surface.bounds();
+  // From farther away too few digits are left.
+  if (!((origin - box.center()).norm() <= 1e6 * box.diagonal().norm()))
+    throw MissedGrip(finger + " is farther than a million times its size from the object");
   const std::optional<Meeting> meeting = surface.first(origin, direction);
   if (!meeting) return {};
-  if (surface.closed() && direction.dot(meeting->outward) > 0) return {{}, true};
+  if (surface.closed() && from_behind(*meeting, direction) && box.contains(origin))
+    return {{}, true};
   if (meeting->distance > farthest) return {};
   return {meeting};
 }
@@ -41,15 +53,25 @@ Contact<3> contact_at(const Meeting& meeting, const Vector<3>& direction) {
   Contact<3> contact;
   contact.position = meeting.point;
   // The finger comes from outside, whatever a mesh that is not closed believes.
-  contact.normal =
-      direction.dot(meeting.outward) > 0 ? meeting.outward : Vector<3>(-meeting.outward);
+  contact.normal = from_behind(meeting, direction) ? meeting.outward : Vector<3>(-meeting.outward);
   return contact;
 }
+
+/// Contacts, and which of them meet the surface from behind.
+struct Grip {
+  std::vector<Contact<3>> contacts{};
+  std::vector<bool> behind{};
+
+  void add(const Contact<3>& contact, const Meeting& meeting, const Vector<3>& direction) {
+    contacts.push_back(contact);
+    behind.push_back(from_behind(meeting, direction));
+  }
+};
 
 struct Pad {
   std::string name;
   double side;  ///< of the middle, along x
-  std::vector<Contact<3>> contacts{};
+  Grip grip{};
   bool inside{false};
 };
 
@@ -62,8 +84,8 @@ void close(Pad& pad, const ParallelJaw& jaw, const Surface& surface) {
       const Vector<3> start(pad.side * jaw.opening / 2,
                             jaw.width * ((column + 0.5) / columns - 0.5),
                             jaw.height * ((row + 0.5) / rows - 0.5));
-      const Touch at =
-          touch(surface, jaw.pose.position + jaw.pose.orientation * start, direction, jaw.opening);
+      const Touch at = touch(surface, jaw.pose.position + jaw.pose.orientation * start, direction,
+                             jaw.opening, "the " + pad.name + " pad");
       pad.inside = pad.inside || at.inside;
       if (at.meeting) met.push_back(*at.meeting);
     }
@@ -77,11 +99,11 @@ void close(Pad& pad, const ParallelJaw& jaw, const Surface& surface) {
     contact.max_normal = jaw.max_force / jaw.samples;
     contact.share = 1.0 / jaw.samples;
     contact.finger = pad.name;
-    pad.contacts.push_back(contact);
+    pad.grip.add(contact, meeting, direction);
   }
 }
 
-std::vector<Contact<3>> contacts_of(const ParallelJaw& jaw, const Surface& surface) {
+Grip grip_of(const ParallelJaw& jaw, const Surface& surface) {
   Pad left{"left", -1}, right{"right", 1};
   close(left, jaw, surface);
   close(right, jaw, surface);
@@ -91,25 +113,26 @@ std::vector<Contact<3>> contacts_of(const ParallelJaw& jaw, const Surface& surfa
     if (pad.inside)
       throw MissedGrip("the " + pad.name +
                        " pad begins inside the object: open wider, or move the gripper");
-  if (left.contacts.empty() && right.contacts.empty())
+  if (left.grip.contacts.empty() && right.grip.contacts.empty())
     throw MissedGrip("the pads meet nothing: the object is not between them");
   for (const Pad& pad : {left, right})
-    if (pad.contacts.empty())
+    if (pad.grip.contacts.empty())
       throw MissedGrip("the " + pad.name + " pad meets nothing, the other one does");
-  std::vector<Contact<3>> both = left.contacts;
-  both.insert(both.end(), right.contacts.begin(), right.contacts.end());
+  Grip both = left.grip;
+  both.contacts.insert(both.contacts.end(), right.grip.contacts.begin(), right.grip.contacts.end());
+  both.behind.insert(both.behind.end(), right.grip.behind.begin(), right.grip.behind.end());
   return both;
 }
 
-std::vector<Contact<3>> contacts_of(const Fingertips& hand, const Surface& surface) {
-  std::vector<Contact<3>> result;
+Grip grip_of(const Fingertips& hand, const Surface& surface) {
+  Grip grip;
   for (std::size_t i = 0; i < hand.rays.size(); ++i) {
     const Fingertip& finger = hand.rays[i];
     const std::string name =
         "finger " + (finger.finger.empty() ? std::to_string(i) : finger.finger);
     const Vector<3> direction = hand.pose.orientation * finger.direction;
     const Touch at = touch(surface, hand.pose.position + hand.pose.orientation * finger.origin,
-                           direction, std::numeric_limits<double>::infinity());
+                           direction, std::numeric_limits<double>::infinity(), name);
     if (at.inside) throw MissedGrip(name + " begins inside the object: begin farther out");
     if (!at.meeting) throw MissedGrip(name + " meets nothing: its ray passes the object");
     Contact<3> contact = contact_at(*at.meeting, direction);
@@ -117,15 +140,53 @@ std::vector<Contact<3>> contacts_of(const Fingertips& hand, const Surface& surfa
     contact.torsion = hand.torsion;
     contact.max_normal = hand.max_force;
     contact.finger = finger.finger;
-    result.push_back(contact);
+    grip.add(contact, *at.meeting, direction);
   }
-  return result;
+  return grip;
+}
+
+/// "contacts 0 to 15 and 20"
+std::string numbers_of(const std::vector<bool>& chosen) {
+  std::vector<std::string> parts;
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < chosen.size(); ++first) {
+    if (!chosen[first]) continue;
+    std::size_t last = first;
+    while (last + 1 < chosen.size() && chosen[last + 1]) ++last;
+    count += last + 1 - first;
+    parts.push_back(std::to_string(first) + (last > first ? " to " + std::to_string(last) : ""));
+    first = last;
+  }
+  std::string text = count == 1 ? "contact " : "contacts ";
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    text += (k == 0 ? "" : k + 1 < parts.size() ? ", " : " and ") + parts[k];
+  return text;
+}
+
+/// A wrong unit or frame shows itself.
+std::string where(const Surface& surface) {
+  const auto listed = [](const Vector<3>& v, const std::string& between) {
+    return number_text(v.x(), 3) + between + number_text(v.y(), 3) + between +
+           number_text(v.z(), 3);
+  };
+  const Eigen::AlignedBox3d& box = surface.bounds();
+  return "; the object is " + listed(box.sizes(), " x ") + " m large, its middle at (" +
+         listed(box.center(), ", ") + ") m";
 }
 
 }  // namespace
 
-std::vector<Contact<3>> contacts(const Gripper& gripper, const Surface& surface) {
-  return std::visit([&](const auto& each) { return contacts_of(each, surface); }, gripper);
+std::vector<Contact<3>> contacts(const Gripper& gripper, const Surface& surface,
+                                 std::vector<std::string>* notes) {
+  try {
+    Grip grip = std::visit([&](const auto& each) { return grip_of(each, surface); }, gripper);
+    if (notes && std::find(grip.behind.begin(), grip.behind.end(), true) != grip.behind.end())
+      notes->push_back(numbers_of(grip.behind) +
+                       " meet the surface from behind: it is open there, or faces the wrong way");
+    return std::move(grip.contacts);
+  } catch (const MissedGrip& missed) {
+    throw MissedGrip(missed.what() + where(surface));
+  }
 }
 
 }  // namespace poise

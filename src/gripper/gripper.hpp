@@ -65,7 +65,10 @@ class MissedGrip : public std::runtime_error {
 /// it touches, even beyond the middle: object or gripper give way.
 ///
 /// Normals are those of the surface, towards the side that the ray comes from turned inwards.
-/// @throws MissedGrip where a finger misses the object, or begins inside it
-std::vector<Contact<3>> contacts(const Gripper& gripper, const Surface& surface);
+/// @param notes  gets what looks like a mistake, in words: "contacts 0 to 15 meet the surface ..."
+/// @throws MissedGrip where a finger misses the object, begins inside it, or is so far away that no
+///         digits are left; then also where the object is, and of what size
+std::vector<Contact<3>> contacts(const Gripper& gripper, const Surface& surface,
+                                 std::vector<std::string>* notes = nullptr);
 
 }  // namespace poise

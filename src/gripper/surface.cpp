@@ -99,7 +99,7 @@ Meeting meeting_with(const Mesh& mesh, int triangle, const Vector<3>& origin,
 
 }  // namespace
 
-Surface::Surface(const Solid& solid) : solid_(solid) {
+Surface::Surface(const Solid& solid) : solid_(solid), bounds_(poise::bounds(solid)) {
   if (const auto* mesh = std::get_if<MeshShape>(&solid)) finder_ = triangle_finder(*mesh->mesh);
 }
 

@@ -30,8 +30,12 @@ class Surface {
   /// Whether it has an inside.
   bool closed() const;
 
+  /// The box that it lies in [m].
+  const Eigen::AlignedBox3d& bounds() const { return bounds_; }
+
  private:
   Solid solid_;
+  Eigen::AlignedBox3d bounds_;
   std::unique_ptr<TriangleFinder> finder_{};  ///< of a mesh
 };
 

@@ -18,8 +18,7 @@ constexpr double wanted = 1e-7;  // between what is held and what is proven
 constexpr double most_friction = 1e6;
 constexpr int most_probes = 200;
 
-// A force norm of a million weights makes rounding of doubles felt.
-using Real = long double;
+using Real = dual::Exact;  // a force norm of a million weights makes rounding of doubles felt
 
 using Slide = dual::Slide<Real>;
 
@@ -68,19 +67,14 @@ struct Question {
 
   /// What one newton of weight does against y at least, if the balance is off by the tolerance.
   Real driven(const Twist<Dim>& y) const {
-    Eigen::Matrix<Real, Dim, 1> v = y.template head<Dim>().template cast<Real>();  // of the com
-    const Eigen::Matrix<Real, Dim, 1> com = load.com.template cast<Real>();
-    if constexpr (Dim == 2)
-      v += y[2] * Eigen::Matrix<Real, 2, 1>(-com.y(), com.x());
-    else
-      v += y.template tail<3>().template cast<Real>().cross(com);
+    const Eigen::Matrix<Real, Dim, 1> v = dual::velocity<Dim>(y, load.com);
     const Real omega = y.template tail<wrench_size<Dim> - Dim>().norm();
     return v.dot(up.template cast<Real>()) - dual::delta * (v.norm() + hand.radius() * omega);
   }
   /// The hold of another weight [N] by the same contacts, or by changed ones.
-  Hold<Dim> hold(const ScaledHand<Dim>& contacts, double weight) const {
+  Hold<Dim> hold(const ScaledHand<Dim>& contacts, double weight, double friction_factor = 1) const {
     const Load<Dim> probed{.weight = weight, .com = load.com};
-    return solve<Dim>(dual::Problem<Dim>(contacts, weight), probed, up, settings);
+    return solve<Dim>(hand, contacts, friction_factor, probed, up, settings);
   }
   /// With a hold that was found.
   Posture<Dim> posture(Hold<Dim> hold, double weight) const {
@@ -136,6 +130,7 @@ class WeightSearch {
     bound_greatest();
     range_.holdable = !pressed_ || find_least();
     if (range_.holdable) find_greatest();
+    if (!range_.holdable) try_given();
     complete(range_.least, least_);
     complete(range_.greatest, greatest_);
     if (range_.holdable && range_.greatest.weight < infinity)
@@ -229,6 +224,15 @@ class WeightSearch {
     nothing_beside_least();
   }
 
+  /// What is held is held, also where the ends are lost in rounding.
+  void try_given() {
+    Hold<Dim> hold = asked_.hold(asked_.hand.scaled(), asked_.load.weight);
+    range_.holdable = hold.holdable;
+    if (!hold.holdable) return;
+    range_.least.weight = range_.greatest.weight = asked_.load.weight;
+    least_ = greatest_ = std::move(hold);
+  }
+
   /// What is held at an end; where any weight is held, the given one.
   void complete(WeightEnd<Dim>& end, Hold<Dim>& hold) const {
     const bool any = end.weight == infinity;
@@ -261,27 +265,33 @@ class FrictionSearch {
  private:
   void narrow() {
     double step = wanted;
-    for (int k = 0; k < most_probes && found_.bound < most_friction; ++k) {
-      const double bound = found_.bound, gap = found_.factor - bound;
-      if (gap < infinity && gap <= wanted * found_.factor) break;
-      const double near = bound * (1 + step);
-      if (near > 0 && near < found_.factor) {
+    for (int k = 0; k < most_probes && !found(); ++k) {
+      const double failed = failed_, factor = found_.factor, near = found_.bound * (1 + step);
+      if (near > failed) {
         probe(near);
         if (found_.bound <= near) step *= 8;
       }
-      // Where proofs reach not far, halving does.
-      if (!(found_.factor - found_.bound <= gap / 2))
-        probe(gap < infinity ? bound + gap / 2 : 2 * std::max(bound, 1.0));
-      if (found_.bound == bound && found_.factor - bound == gap) break;  // rounding leaves it open
+      if (found_.factor == infinity) {
+        if (!(failed_ < most_friction)) break;
+        probe(std::min(2 * std::max(failed_, 1.0), most_friction));
+      } else if (!(found_.factor - failed_ <= (factor - failed) / 2)) {
+        probe(failed_ + (found_.factor - failed_) / 2);  // where proofs reach not far, halving does
+      }
+      if (failed_ == failed && found_.factor == factor) break;  // rounding leaves it open
     }
+  }
+
+  bool found() const {
+    return found_.factor < infinity && found_.factor - failed_ <= wanted * found_.factor;
   }
 
   bool probe(double factor) {
     if (!(factor < found_.factor)) return true;
     Hold<Dim> there =
-        asked_.hold(asked_.hand.scaled().with_friction(factor), asked_.load.weight);
+        asked_.hold(asked_.hand.scaled().with_friction(factor), asked_.load.weight, factor);
     if (!there.holdable) {
       cut(there.dual);
+      failed_ = std::max({failed_, factor, found_.bound});
       return false;
     }
     found_.factor = factor;
@@ -310,6 +320,7 @@ class FrictionSearch {
 
   const Question<Dim>& asked_;
   LeastFriction<Dim> found_;
+  double failed_{0};  ///< the greatest factor that was too little, proven or not
   Hold<Dim> hold_;
 };
 
@@ -340,7 +351,7 @@ Capacity<Dim> capacity(const Hand<Dim>& hand, const Load<Dim>& load, const Vecto
                        double safety, const HoldSettings& settings) {
   if (!(safety >= 1) || !std::isfinite(safety)) throw InvalidGrasp("safety", "must be at least 1");
   const Question<Dim> asked{hand, load, up, settings};
-  Hold<Dim> safe = asked.hold(hand.scaled().with_friction(1 / safety), load.weight);
+  Hold<Dim> safe = asked.hold(hand.scaled().with_friction(1 / safety), load.weight, 1 / safety);
   return {weight_range(hand, load, up, settings), least_friction(hand, load, up, settings),
           asked.posture(std::move(safe), load.weight)};
 }

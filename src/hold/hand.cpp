@@ -34,21 +34,30 @@ struct Place {
   }
 };
 
-/// Throws unless `value` is finite with a finite square, and `in_range`.
-void check(double value, bool in_range, const Place& place, const char* expected) {
-  if (std::isfinite(value * value) && in_range) return;
+[[noreturn, gnu::cold]] void refuse(double value, const Place& place, const char* expected) {
   throw InvalidGrasp(place.path(), "is " + text(value) + ", must be " + expected);
 }
 
+/// Throws unless `value` is finite with a finite square, and `in_range`. Inline, so that no place
+/// is made where nothing is wrong: making a grasp should cost no more than a hold.
+[[gnu::always_inline]] inline void check(double value, bool in_range, const Place& place,
+                                         const char* expected) {
+  if (!(std::isfinite(value * value) && in_range)) refuse(value, place, expected);
+}
+
 template <int Dim>
-void check(const Vector<Dim>& value, Place place) {
-  if (std::isfinite(value.squaredNorm())) return;
+[[noreturn, gnu::cold]] void refuse(const Vector<Dim>& value, Place place) {
   for (int k = 0; k < Dim; ++k) {
     Place component = place;
     component.component = k;
     check(value[k], true, component, "a finite number");
   }
   throw InvalidGrasp(place.path(), "is too long: its square overflows");
+}
+
+template <int Dim>
+[[gnu::always_inline]] inline void check(const Vector<Dim>& value, const Place& place) {
+  if (!std::isfinite(value.squaredNorm())) refuse<Dim>(value, place);
 }
 
 template <int Dim>

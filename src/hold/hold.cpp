@@ -13,14 +13,6 @@
 namespace poise {
 namespace {
 
-/// z of a contact: its velocity, in the contact frame, by a twist about the center.
-Vector<2> contact_velocity(const ScaledHand<2>& hand, std::size_t i, const Twist<2>& scaled) {
-  const ContactLane<2>& c = hand.lanes[i / lane_size];
-  const std::size_t k = i % lane_size;
-  const double ux = scaled[0] + scaled[2] * c.jx[k], uy = scaled[1] + scaled[2] * c.jy[k];
-  return {c.nx[k] * ux + c.ny[k] * uy, c.nx[k] * uy - c.ny[k] * ux};
-}
-
 /// The moments, about the origin, of forces (the top rows) that act at a point.
 Eigen::RowVector2d moment_of_force(const Vector<2>& at, const Eigen::Matrix<double, 3, 2>& forces) {
   return at.x() * forces.row(1) - at.y() * forces.row(0);
@@ -37,7 +29,7 @@ Eigen::Matrix<double, 3, 4> moment_of_force(const Vector<3>& at,
 template <int Dim>
 Hold<Dim> hold(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
                const HoldSettings& settings) {
-  return solve<Dim>(dual::Problem<Dim>(hand.scaled(), load.weight), load, up, settings);
+  return solve<Dim>(hand, hand.scaled(), 1, load, up, settings);
 }
 
 template <int Dim>
@@ -116,9 +108,7 @@ bool all_loaded(const Hand<Dim>& hand, const Hold<Dim>& hold, double weight) {
 
 std::string reason(const Hand<2>& hand, const Hold<2>& hold) {
   if (hold.holdable) return {};
-  if (!hold.proven)
-    return "it is within rounding of the limit of holding, where neither forces nor a proof that "
-           "there are none were found";
+  if (!hold.proven) return unproven;
   // -y is a motion that gravity drives; about the center, in radii, to tell a turn from a slide.
   const ScaledHand<2>& scaled = hand.scaled();
   const Twist<2> y = about_center(scaled, 1, hold.dual), motion = -y;
@@ -141,20 +131,7 @@ std::string reason(const Hand<2>& hand, const Hold<2>& hold) {
     else
       words << "(" << rounded(centre.x()) << ", " << rounded(centre.y()) << ") m";
   }
-  // Contacts at a limit of their normal force do oppose it, or even push.
-  bool weak = false, strong = false;
-  const Cones<2> in_newtons = scaled.cones(1);
-  for (std::size_t i = 0; i < scaled.size; ++i) {
-    const Contact<2>& contact = hand.contacts()[i];
-    const Vector<2> z = contact_velocity(scaled, i, y);
-    const dual::Face<> face = dual::face<double>(in_newtons, i, z);
-    weak = weak || (face.at_hi && contact.max_normal > 0);
-    strong = strong || (face.at_lo && contact.min_normal > 0);
-  }
-  words << (weak     ? ", although the contacts that oppose it press with their max_normal"
-            : strong ? ", since contacts must press with their min_normal"
-                     : ", and no contact opposes it");
-  return words.str();
+  return words.str() + opposition(hand, y, hold);
 }
 
 template <int Dim>

@@ -20,9 +20,7 @@ std::string text(const Vector<3>& v) {
 
 std::string reason(const Hand<3>& hand, const Hold<3>& hold) {
   if (hold.holdable) return {};
-  if (!hold.proven)
-    return "it is within rounding of the limit of holding, where neither forces nor a proof that "
-           "there are none were found";
+  if (!hold.proven) return unproven;
   const ScaledHand<3>& scaled = hand.scaled();
   const auto& contacts = hand.contacts();
   // -y is a motion that gravity drives; about the center, in radii, to tell a turn from a slide.
@@ -57,20 +55,7 @@ std::string reason(const Hand<3>& hand, const Hold<3>& hold) {
       words += "the line through " + text(at) + " m along " + text(axis);
     }
   }
-  // Contacts at a limit of their normal force do oppose it, or even push.
-  bool weak = false, strong = false;
-  const Cones<3> in_newtons = scaled.cones(1);
-  dual::Point<3> point(scaled.size);
-  dual::evaluate<3, double>(in_newtons, Wrench<3>::Zero(), y, point);
-  for (std::size_t i = 0; i < scaled.size; ++i) {
-    const ContactLane<3>& c = scaled.lanes[i / lane_size];
-    const double n = point.f(i)[0], lo = c.lo[i % lane_size], hi = c.hi[i % lane_size];
-    weak = weak || (!(n < hi) && hi > 0 && hi > lo);
-    strong = strong || (!(n > lo) && lo > 0);
-  }
-  words += weak     ? ", although the contacts that oppose it press with their max_normal"
-           : strong ? ", since contacts must press with their min_normal"
-                    : ", and no contact opposes it";
+  words += opposition(hand, y, hold);
   if (between_points)
     words += "; point contacts on one line cannot resist that torque: a soft finger (torsion) can";
   return words;

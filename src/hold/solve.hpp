@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <string>
 
 #include "dual/dual.hpp"
+#include "dual/exact.hpp"
 #include "dual/twist.hpp"
 #include "poise/hold.hpp"
 
@@ -39,6 +42,44 @@ inline ForceLimit limit_of(double normal, double least, double most, double near
 /// For words: without the minus of a rounded zero.
 inline double rounded(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
 
+/// What opposes -y (about the center), a motion that gravity drives. Contacts at a limit of their
+/// normal force do, or even push; and so may others, which would need more than the force cap.
+template <int Dim>
+std::string opposition(const Hand<Dim>& hand, const Twist<Dim>& y, const Hold<Dim>& hold) {
+  constexpr double next_to_nothing = 1e-7;  // of y: what rounding leaves of no force
+  const ScaledHand<Dim>& scaled = hand.scaled();
+  const Cones<Dim> in_newtons = scaled.cones(1);
+  dual::Point<Dim> point(scaled.size);
+  dual::evaluate<Dim, double>(in_newtons, Wrench<Dim>::Zero(), y, point);
+  bool weak = false, strong = false;
+  double free = 0;
+  for (std::size_t i = 0; i < scaled.size; ++i) {
+    const ContactLane<Dim>& c = scaled.lanes[i / lane_size];
+    const auto f = point.f(i);
+    const double n = f[0], lo = c.lo[i % lane_size], hi = c.hi[i % lane_size];
+    if (!(n < hi))
+      weak = weak || (hi > 0 && hi > lo);
+    else if (!(n > lo))
+      strong = strong || lo > 0;
+    else
+      free += f.squaredNorm();
+  }
+  if (std::sqrt(free) > next_to_nothing * dual::dual_norm<Dim, double>(y)) {
+    std::ostringstream words;
+    words.precision(4);
+    words << ", and what opposes it would take a force norm of more than "
+          << std::sqrt(hold.lower_bound) << " N";
+    return words.str();
+  }
+  return weak     ? ", although the contacts that oppose it press with their max_normal"
+         : strong ? ", since contacts must press with their min_normal"
+                  : ", and no contact opposes it";
+}
+
+inline constexpr const char* unproven =
+    "it is within rounding of the limit of holding, where neither forces nor a proof that there "
+    "are none were found";
+
 /// The forces of one lane of contacts in newtons, without their limits.
 inline void write_forces(const dual::Problem<2>& problem, const ContactLane<2>& c,
                          const dual::LaneForces<2, double>& lane, ContactForce<2>* forces,
@@ -61,8 +102,9 @@ inline void write_forces(const dual::Problem<3>& problem, const ContactLane<3>& 
   for (std::size_t k = 0; k < lane_size; ++k) beside[k] = std::sqrt(beside[k]);
   const LaneStates states(normal, beside / (c.mu * n), problem.weight);
   for (std::size_t k = 0; k < count; ++k)
-    forces[k] = {normal[k], {tangential[0][k], tangential[1][k], tangential[2][k]}, moment[k],
-                 states.friction_used[k], states[k], ForceLimit::none};
+    forces[k] = {normal[k], {tangential[0][k], tangential[1][k], tangential[2][k]},
+                 moment[k], states.friction_used[k],
+                 states[k], ForceLimit::none};
 }
 
 /// The hold of a load in the solver's units.
@@ -105,13 +147,24 @@ Hold<Dim> solve(const dual::Problem<Dim>& problem, const Wrench<Dim>& w, const T
   return hold;
 }
 
-/// The hold of a load in the posture `up`, from cold.
+/// A y so long that its rounding may count [1 / weight].
+inline constexpr double long_y = 1e4;
+
+/// The hold of a load in the posture `up`, from cold. `contacts`: those of the hand, or with all
+/// frictions multiplied by a factor.
 template <int Dim>
-Hold<Dim> solve(const dual::Problem<Dim>& problem, const Load<Dim>& load, const Vector<Dim>& up,
-                const HoldSettings& settings) {
+Hold<Dim> solve(const Hand<Dim>& hand, const ScaledHand<Dim>& contacts, double friction_factor,
+                const Load<Dim>& load, const Vector<Dim>& up, const HoldSettings& settings) {
   if (!(std::abs(up.squaredNorm() - 1) <= 1e-6)) throw InvalidGrasp("up", "must be a unit vector");
+  const dual::Problem<Dim> problem(contacts, load.weight);
   const Wrench<Dim> w = scaled_load<Dim>(problem.hand, problem.weight, load, up);
-  return solve(problem, w, dual::cold_start(problem, w), settings);
+  Hold<Dim> hold = solve(problem, w, dual::cold_start(problem, w), settings);
+  const double length = hold.dual.template head<Dim>().norm() / load.weight;
+  if (hold.holdable && length * load.weight * load.weight > long_y * hold.effort)
+    hold.lower_bound =
+        std::min(static_cast<double>(dual::bound<Dim>(hand, load, up, hold.dual, friction_factor)),
+                 hold.effort);
+  return hold;
 }
 
 }  // namespace poise

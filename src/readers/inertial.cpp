@@ -1,14 +1,13 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include "readers/regular_file.hpp"
+#include "readers/readers.hpp"
 
 namespace poise::readers {
 
-Inertial read_inertial(const std::string& file, const std::string& name) {
-  check_regular_file(file);
+Inertial read_inertial(const std::string& xml, const std::string& name) {
   console_bridge::noOutputHandler();
-  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDFFile(file);
+  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(xml);
   if (!model) throw ReadError("is not a robot model (URDF)");
   const urdf::LinkConstSharedPtr link = model->getLink(name);
   if (!link) {

@@ -2,11 +2,10 @@
 
 namespace poise::readers {
 
-Mesh read_mesh(const std::string& file);
 Inertial read_inertial(const std::string& urdf, const std::string& link);
 std::unique_ptr<TriangleFinder> triangle_finder(const Mesh& mesh);
 
 }  // namespace poise::readers
 
-extern "C" const poise::MeshModule poise_module{
-    poise::readers::read_mesh, poise::readers::read_inertial, poise::readers::triangle_finder};
+extern "C" const poise::MeshModule poise_module{poise::readers::read_inertial,
+                                                poise::readers::triangle_finder};

@@ -5,10 +5,9 @@
 
 namespace poise {
 
-/// assimp, urdfdom and Embree.
+/// urdfdom and Embree.
 struct MeshModule {
-  decltype(&read_mesh) mesh;
-  decltype(&read_inertial) inertial;
+  Inertial (*inertial)(const std::string& xml, const std::string& link);
   decltype(&triangle_finder) finder;
 };
 

@@ -1,6 +1,6 @@
-// What is read and searched by libraries that take long to load: assimp, urdfdom, Embree, HDF5.
-// They stand in modules, shared libraries of ours that are loaded when a file first asks for one,
-// so that a program that needs none of them starts as fast as ever.
+// What other files say. urdfdom, Embree and HDF5 take long to load: what needs them stands in
+// modules, shared libraries of ours that are loaded when a file first asks for one, so that a
+// program that needs none of them starts as fast as ever.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,15 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "shape/mesh.hpp"
+#include "meshes/formats.hpp"
 
 namespace poise {
-
-/// A file that cannot be read; what() says why, without its name: "is a folder, must be a file".
-class ReadError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// A path that a file names, seen from where the program runs: it is meant from the file's folder.
 std::string path_beside(const std::string& file, const std::string& path);
@@ -27,11 +21,12 @@ std::string path_beside(const std::string& file, const std::string& path);
 std::string path_from(const std::string& folder, const std::string& path);
 
 /// The triangles of a file (STL, OBJ, PLY or glTF), its polygons cut into triangles, all its meshes
-/// where its nodes put them: as they stand there, open or closed, in the unit of the file.
+/// where its nodes put them: as they stand there, open or closed, in the unit of the file. All
+/// vertices are finite.
 /// @throws ReadError
 Mesh read_mesh(const std::string& file);
 
-/// Finds triangles along rays, in single precision.
+/// Finds triangles along rays, in single precision as seen from the middle of the mesh.
 class TriangleFinder {
  public:
   TriangleFinder() = default;
@@ -39,7 +34,8 @@ class TriangleFinder {
   TriangleFinder& operator=(const TriangleFinder&) = delete;
   virtual ~TriangleFinder() = default;
 
-  /// The index of the triangle that a ray meets first, from either side.
+  /// The index of the triangle that a ray, its direction of length 1, meets first, from either
+  /// side.
   virtual std::optional<int> first(const Eigen::Vector3d& origin,
                                    const Eigen::Vector3d& direction) const = 0;
 };
@@ -66,6 +62,7 @@ struct AcronymData {
   std::string gripper{};                      ///< "panda"
   std::vector<Eigen::Matrix4d> transforms{};  ///< of the gripper's base, in the scaled mesh frame
   std::vector<bool> held{};                   ///< whether the object stayed in it when shaken
+  std::string problem{};  ///< what cannot be read but the transforms; then these alone are there
 };
 
 /// @throws ReadError

@@ -49,8 +49,12 @@ class Embree : public TriangleFinder {
 
   std::optional<int> first(const Eigen::Vector3d& origin,
                            const Eigen::Vector3d& direction) const override {
-    const Eigen::Vector3f from = ((origin - middle_) / size_).cast<float>(),
-                          along = direction.cast<float>();
+    // It begins near the mesh, however far away that is.
+    const Eigen::Vector3d far = (origin - middle_) / size_;
+    const double skipped = std::max(-far.dot(direction) - 1, 0.0);
+    const Eigen::Vector3d near = far + skipped * direction;
+    if (!(near.squaredNorm() < 4)) return {};
+    const Eigen::Vector3f from = near.cast<float>(), along = direction.cast<float>();
     RTCRayHit query{};
     query.ray.org_x = from.x();
     query.ray.org_y = from.y();

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstdint>
 #include <map>
+#include <numbers>
 #include <numeric>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "shape/number_text.hpp"
@@ -81,60 +84,67 @@ Mesh renumbered(const Mesh& mesh, const std::vector<int>& to) {
   return result;
 }
 
+/// Without vertices that no triangle has.
+Mesh without_others(const Mesh& mesh) {
+  std::vector<int> same(mesh.vertices.size());
+  std::iota(same.begin(), same.end(), 0);
+  return renumbered(mesh, same);
+}
+
+/// For each vertex the first that is equal to it.
+std::vector<int> first_equals(const Mesh& mesh) {
+  const auto at = [&](int i) -> const Vector3d& {
+    return mesh.vertices[static_cast<std::size_t>(i)];
+  };
+  std::vector<int> order(mesh.vertices.size()), to(mesh.vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    const Vector3d &p = at(a), &q = at(b);
+    return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
+  });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool equal = k > 0 && at(order[k]) == at(order[k - 1]);
+    to[static_cast<std::size_t>(order[k])] =
+        equal ? to[static_cast<std::size_t>(order[k - 1])] : order[k];
+  }
+  return to;
+}
+
 /// Makes vertices one that are no farther apart than this.
 Mesh welded(const Mesh& mesh, double tolerance) {
-  const auto cell_of = [&](const Vector3d& p) {
-    std::array<double, 3> cell{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // -0 is 0
-    if (tolerance > 0)
-      for (double& c : cell) c = std::floor(c / tolerance);
-    return cell;
+  if (tolerance == 0) return renumbered(mesh, first_equals(mesh));
+  // In cells twice as wide, what is near to a point lies in one of eight.
+  using Cell = std::array<long long, 3>;
+  const auto hash = [](const Cell& cell) {
+    std::uint64_t sum = 0;
+    for (const long long part : cell)
+      sum = (sum ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15ULL;
+    return static_cast<std::size_t>(sum ^ sum >> 32);
   };
-  std::map<std::array<double, 3>, std::vector<int>> cells;
+  std::unordered_map<Cell, std::vector<int>, decltype(hash)> cells(mesh.vertices.size(), hash);
+  const auto cell_of = [](const Vector3d& p) {
+    const Vector3d low = p.array().floor();
+    return Cell{static_cast<long long>(low.x()), static_cast<long long>(low.y()),
+                static_cast<long long>(low.z())};
+  };
+  const Vector3d corner = bounds(mesh).min();
   std::vector<int> to(mesh.vertices.size());
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Vector3d& p = mesh.vertices[i];
-    const auto cell = cell_of(p);
+    const Vector3d in_cells = (p - corner) / (2 * tolerance);
+    const Cell first = cell_of(in_cells - Vector3d::Constant(0.5));
     int near = -1;
-    const int reach = tolerance > 0 ? 1 : 0;
-    for (int dx = -reach; dx <= reach && near < 0; ++dx)
-      for (int dy = -reach; dy <= reach && near < 0; ++dy)
-        for (int dz = -reach; dz <= reach && near < 0; ++dz) {
-          const auto found = cells.find({cell[0] + dx, cell[1] + dy, cell[2] + dz});
-          if (found == cells.end()) continue;
-          for (const int other : found->second)
-            if ((mesh.vertices[static_cast<std::size_t>(other)] - p).norm() <= tolerance)
-              near = other;
-        }
+    for (int k = 0; k < 8 && near < 0; ++k) {
+      const auto found =
+          cells.find({first[0] + (k & 1), first[1] + (k >> 1 & 1), first[2] + (k >> 2)});
+      if (found == cells.end()) continue;
+      for (const int other : found->second)
+        if ((mesh.vertices[static_cast<std::size_t>(other)] - p).norm() <= tolerance) near = other;
+    }
     to[i] = near < 0 ? static_cast<int>(i) : near;
-    if (near < 0) cells[cell].push_back(to[i]);
+    if (near < 0) cells[cell_of(in_cells)].push_back(to[i]);
   }
   return renumbered(mesh, to);
-}
-
-/// Of triangles with the same corners one is kept, or none where two of them face opposite ways and
-/// `cancel` is asked for.
-Mesh without_doubles(Mesh mesh, bool cancel) {
-  std::map<Triangle, std::array<int, 2>> seen;  // how often it faces either way
-  const auto key = [](Triangle triangle) {
-    auto* const least = std::min_element(triangle.begin(), triangle.end());
-    std::rotate(triangle.begin(), least, triangle.end());
-    const bool turned = triangle[1] > triangle[2];
-    if (turned) std::swap(triangle[1], triangle[2]);
-    return std::pair(triangle, turned);
-  };
-  for (const Triangle& triangle : mesh.triangles) {
-    const auto [corners, turned] = key(triangle);
-    ++seen.try_emplace(corners, std::array{0, 0}).first->second[turned ? 1 : 0];
-  }
-  std::vector<Triangle> kept;
-  for (const Triangle& triangle : mesh.triangles) {
-    std::array<int, 2>& count = seen.at(key(triangle).first);
-    const bool opposed = count[0] > 0 && count[1] > 0;
-    if (count[0] >= 0 && !(cancel && opposed)) kept.push_back(triangle);
-    if (!(cancel && opposed)) count = {-1, -1};
-  }
-  mesh.triangles = std::move(kept);
-  return mesh;
 }
 
 /// A triangle at an edge, and which way it runs along it.
@@ -157,6 +167,91 @@ std::vector<Side> sides_of(const Mesh& mesh) {
     return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
   });
   return sides;
+}
+
+/// What is done with triangles that have the same corners.
+enum class Doubles {
+  one,      ///< one of them is kept
+  no_fins,  ///< the same, but for those that have an edge of their own
+  opposed,  ///< those that face opposite ways cancel in pairs, one of the others is kept
+  pairs     ///< they cancel in pairs, whichever way they face
+};
+
+struct Single {
+  Mesh mesh;
+  std::size_t kept{0}, left_out{0};  ///< copies of what is kept, and triangles that are gone
+  bool doubles{false};
+};
+
+Single without_doubles(const Mesh& mesh, Doubles way) {
+  struct Copy {
+    Triangle corners;  ///< from the least, in ascending order
+    std::size_t index;
+    bool turned;  ///< faces the other way than `corners`
+  };
+  std::vector<Copy> copies;
+  copies.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Triangle corners = mesh.triangles[t];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    const bool turned = corners[1] > corners[2];
+    if (turned) std::swap(corners[1], corners[2]);
+    copies.push_back({corners, t, turned});
+  }
+  std::sort(copies.begin(), copies.end(), [](const Copy& a, const Copy& b) {
+    return std::tie(a.corners, a.index) < std::tie(b.corners, b.index);
+  });
+  Single single{.mesh = {mesh.vertices, {}}};
+  std::vector<bool> keep(mesh.triangles.size(), false);
+  std::vector<std::size_t> count_of(mesh.triangles.size(), 1);  // of the copies of what is kept
+  for (auto first = copies.begin(); first != copies.end();) {
+    auto last = first;
+    while (last != copies.end() && last->corners == first->corners) ++last;
+    const std::ptrdiff_t all = last - first;
+    const std::ptrdiff_t turned =
+        std::count_if(first, last, [](const Copy& copy) { return copy.turned; });
+    const bool none =
+        (way == Doubles::opposed && 2 * turned == all) || (way == Doubles::pairs && all % 2 == 0);
+    // What cancels leaves one that faces as most do.
+    const auto chosen = way == Doubles::one || way == Doubles::no_fins
+                            ? first
+                            : std::find_if(first, last, [&](const Copy& copy) {
+                                return copy.turned == (2 * turned > all);
+                              });
+    if (!none) keep[chosen->index] = true;
+    if (all > 1) {
+      single.doubles = true;
+      (none ? single.left_out : single.kept) += static_cast<std::size_t>(none ? all : all - 1);
+      count_of[chosen->index] = static_cast<std::size_t>(all);
+    }
+    first = last;
+  }
+  for (bool changed = true; changed;) {
+    single.mesh.triangles.clear();
+    std::vector<std::size_t> index;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      if (keep[t]) {
+        single.mesh.triangles.push_back(mesh.triangles[t]);
+        index.push_back(t);
+      }
+    changed = false;
+    if (way == Doubles::one || !single.doubles) break;
+    const std::vector<Side> sides = sides_of(single.mesh);
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      const auto same = [&](std::size_t other) {
+        return sides[other].low == sides[k].low && sides[other].high == sides[k].high;
+      };
+      const std::size_t t = index[sides[k].triangle];
+      if ((k > 0 && same(k - 1)) || (k + 1 < sides.size() && same(k + 1)) || count_of[t] == 1 ||
+          !keep[t])
+        continue;
+      keep[t] = false;
+      changed = true;
+      single.kept -= count_of[t] - 1;
+      single.left_out += count_of[t];
+    }
+  }
+  return single;
 }
 
 /// Calls `each` with the sides of one edge after the other.
@@ -277,21 +372,30 @@ bool overlap(const AlignedBox3d& a, const AlignedBox3d& b, double tolerance) {
   return !common.isEmpty() && common.sizes().minCoeff() > tolerance;
 }
 
+/// Whether any two boxes do, or there are too many to tell.
+bool any_overlap(std::vector<AlignedBox3d> boxes, double tolerance) {
+  constexpr std::size_t most = 100'000'000;
+  std::size_t compared = 0;
+  std::sort(boxes.begin(), boxes.end(),
+            [](const AlignedBox3d& a, const AlignedBox3d& b) { return a.min().x() < b.min().x(); });
+  for (auto a = boxes.begin(); a != boxes.end(); ++a)
+    for (auto b = a + 1; b != boxes.end() && b->min().x() <= a->max().x(); ++b)
+      if (++compared > most || overlap(*a, *b, tolerance)) return true;
+  return false;
+}
+
 /// Turns each part inside in; says what it did, and what is wrong.
 void turn_parts(Oriented& oriented, std::vector<std::string>& repairs) {
   Mesh& mesh = oriented.mesh;
   std::vector<AlignedBox3d> boxes(oriented.parts);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     boxes[oriented.part[t]].extend(box_of(mesh, mesh.triangles[t]));
-  const double size = size_of(bounds(mesh));
-  for (std::size_t a = 0; a < boxes.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b)
-      if (overlap(boxes[a], boxes[b], 1e-9 * size)) {
-        oriented.defect = "has " + std::to_string(boxes.size()) +
-                          " parts that may overlap or lie within each other: what is solid is not "
-                          "known";
-        return;
-      }
+  if (any_overlap(boxes, 1e-9 * size_of(bounds(mesh)))) {
+    oriented.defect = "has " + std::to_string(boxes.size()) +
+                      " parts that may overlap or lie within each other: what is solid is not "
+                      "known";
+    return;
+  }
   std::vector<double> volumes(oriented.parts);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     volumes[oriented.part[t]] +=
@@ -394,21 +498,25 @@ MendedMesh mended(const Mesh& mesh) {
   const double size = size_of(bounds(given));
   // The first of these that closes it.
   std::string defect;
-  for (const double tolerance : {0.0, 1e-8, 1e-7, 1e-6, 1e-5})
-    for (const bool cancel : {false, true}) {
-      const Mesh merged = tolerance > 0 ? welded(given, tolerance * size) : given;
-      Mesh single = without_doubles(merged, cancel);
+  for (const double tolerance : {0.0, 1e-8, 1e-7, 1e-6, 1e-5}) {
+    const Mesh merged = tolerance > 0 ? welded(given, tolerance * size) : given;
+    for (const Doubles way : {Doubles::one, Doubles::no_fins, Doubles::opposed, Doubles::pairs}) {
+      Single single = without_doubles(merged, way);
+      if (way != Doubles::one && !single.doubles) break;
       std::vector<std::string> repairs;
       if (const std::size_t gone = given.vertices.size() - merged.vertices.size(); gone > 0)
         repairs.push_back("was open: " + counted(gone, "vertex", "vertices") + " no farther than " +
                           number_text(tolerance) + " of its size from others " +
                           (gone == 1 ? "was" : "were") + " made one with them");
-      if (const std::size_t twice = merged.triangles.size() - single.triangles.size(); twice > 0)
-        repairs.push_back(
-            "had " + counted(twice, "triangle") + " twice, " +
-            (cancel ? "facing opposite ways: they were left out" : "of which one was kept"));
-      if (single.triangles.empty()) continue;
-      Oriented result = oriented(std::move(single));
+      if (single.kept > 0)
+        repairs.push_back("had " + counted(single.kept, "triangle") +
+                          " twice, of which one was kept");
+      if (single.left_out > 0)
+        repairs.push_back("had " + counted(single.left_out, "triangle") +
+                          " twice that bound nothing: they were left out");
+      if (single.mesh.triangles.empty()) continue;
+      if (single.left_out > 0) single.mesh = without_others(single.mesh);
+      Oriented result = oriented(std::move(single.mesh));
       if (defect.empty()) defect = result.defect;
       if (!result.defect.empty()) continue;
       turn_parts(result, repairs);
@@ -416,6 +524,7 @@ MendedMesh mended(const Mesh& mesh) {
       if (const std::string words = crossing(result.mesh); !words.empty()) repairs.push_back(words);
       return {std::move(result.mesh), std::move(repairs), ""};
     }
+  }
   return {given, {}, defect};
 }
 

@@ -34,10 +34,10 @@ struct MendedMesh {
 };
 
 /// Makes vertices one that are equal, or within up to 1e-5 of the size of the mesh where that
-/// closes it; leaves out triangles that stand twice; turns triangles so that neighbours agree, and
-/// each part so that its volume is positive. Parts must not overlap: their bounding boxes do not.
-/// What a surface that crosses itself encloses twice counts twice; that is said where a look
-/// beneath up to 64 of its triangles shows it.
+/// closes it; of triangles that stand twice keeps one, or none where that closes it; turns
+/// triangles so that neighbours agree, and each part so that its volume is positive. Parts must not
+/// overlap: their bounding boxes do not. What a surface that crosses itself encloses twice counts
+/// twice; that is said where a look beneath up to 64 of its triangles shows it.
 MendedMesh mended(const Mesh& mesh);
 
 }  // namespace poise

@@ -87,9 +87,11 @@ SearchState prove(const Task& task, Best<3>& best) {
   }
   if (!is_proven) minimise(full, settings.max_holds - spent);
   SearchState& prover = is_proven ? *easier : full;
-  const double bound = lower_bound(prover);
+  const double claimed = lower_bound(prover);
   best.proof.holds = full.oracle.holds + spent;
-  best.proof.cuts = certificate(prover, bound);
+  best.proof.cuts = certificate(prover, claimed);
+  const double bound = search::proven_bound(grasp, best.proof.cuts, prover.oracle.is_gauge,
+                                            prover.oracle.least, claimed, settings.gap);
   best.lower_bound = grasp.weight() * grasp.weight() * bound;
   const bool is_unholdable = !(full.best_value < infinity) && bound > full.oracle.most;
   best.status = is_unholdable ? Status::unholdable : Status::gap;

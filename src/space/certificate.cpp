@@ -1,12 +1,49 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dual/exact.hpp"
 #include "space/search.hpp"
 
 namespace poise::search {
 namespace {
 
+using dual::Exact;
+
 /// What rounding of vertices may make out, and of y where it is as good as infinitely long.
 constexpr double safe = 1 - 1e-10;
 /// A bound [squared weights] that is as good as 0.
 constexpr double no_bound = 1e-300;
+/// So much is added to what cuts leave: where planes are nearly parallel rounding moves a vertex by
+/// far more than itself, and who computes otherwise must find the bound true.
+constexpr double loosened = 1e-11;
+/// Shorter y [1 / weight] lose less by rounding than the search adds for it.
+constexpr double long_y = 1e6;
+
+/// The half-space n . x <= b in which a cut leaves the loads x whose effort [N^2] is at most t.
+/// Where the root of the effort is a gauge, for the best length of y.
+Plane left_by(const Grasp<3>& grasp, const Cut& cut, Exact t, bool is_gauge) {
+  if (cut.n) return {cut.n->normalized(), 0};
+  const Load<3>& load = grasp.loads()[cut.load];
+  const Eigen::Matrix<Exact, 3, 1> v = dual::velocity<3>(cut.y, load.com);
+  const Exact phi = dual::phi<3>(grasp, cut.y), speed = load.weight * v.norm();
+  const Exact size = grasp.radius() + (load.com - grasp.center()).norm();
+  const Exact slack = dual::delta * load.weight * (v.norm() + size * cut.y.tail<3>().norm());
+  const Exact fixed = cut.y.cast<Exact>().dot(load.fixed.cast<Exact>());
+  const Exact b = is_gauge ? std::sqrt(2 * std::max<Exact>(phi, 0) * t) : t / 2 + phi - fixed;
+  return {(v / v.norm()).cast<double>(), static_cast<double>((b + slack) / speed)};
+}
+
+/// What cuts leave of the loads x whose effort is at most t, in a cube around the unit sphere.
+Polytope left_by(const Grasp<3>& grasp, const std::vector<Cut>& cuts, Exact t, bool is_gauge) {
+  constexpr double cube = 4;
+  Polytope left(cube);
+  int id = static_cast<int>(Polytope::cube_sides);
+  for (const Cut& cut : cuts) {
+    const Plane plane = left_by(grasp, cut, t, is_gauge);
+    if (plane.n.allFinite() && std::isfinite(plane.b)) left.cut(plane.n, plane.b + loosened, id++);
+  }
+  return left;
+}
 
 /// By the farthest vertex.
 double bound_of_gauge(const SearchState& state) {
@@ -18,10 +55,10 @@ double bound_of_gauge(const SearchState& state) {
 /// Down from the target in longer and longer steps to a level whose set is proven empty, then
 /// between the last two.
 double bound_of_level_sets(SearchState& state) {
-  if (state.leaves_no_posture()) return safe * state.target;
+  if (leaves_no_posture(state.polytope)) return safe * state.target;
   const auto proves = [&](double t) {
     state.rebuild(t);
-    return state.leaves_no_posture();
+    return leaves_no_posture(state.polytope);
   };
   constexpr int halvings = 8;
   const double from = state.target, bottom = std::max(state.oracle.least, no_bound);
@@ -44,6 +81,28 @@ double bound_of_level_sets(SearchState& state) {
 double lower_bound(SearchState& state) {
   const double bound = state.oracle.is_gauge ? bound_of_gauge(state) : bound_of_level_sets(state);
   return std::max(state.oracle.least, bound);
+}
+
+double proven_bound(const Grasp<3>& grasp, const std::vector<Cut>& cuts, bool is_gauge,
+                    double least, double claimed, double gap) {
+  const bool is_long = std::any_of(cuts.begin(), cuts.end(), [&](const Cut& cut) {
+    return cut.y.cwiseAbs().maxCoeff() > long_y * grasp.loads()[cut.load].weight;
+  });
+  if (!is_long) return claimed;
+  const Exact square = Exact{grasp.weight()} * grasp.weight();
+  if (is_gauge) {
+    const Polytope left = left_by(grasp, cuts, square * claimed, true);
+    const std::size_t far = left.farthest();
+    const double beyond = far == Polytope::none ? 0 : left[far].square;
+    return std::max(least, claimed / std::max(beyond, 1.0));
+  }
+  // Claims that fail do so by little: longer and longer steps down.
+  double bound = claimed;
+  for (double step = 0.1 * gap; bound > least; step *= 4) {
+    if (leaves_no_posture(left_by(grasp, cuts, square * bound, false))) return bound;
+    bound = claimed * (1 - step);
+  }
+  return least;
 }
 
 std::vector<Cut> certificate(const SearchState& state, double t) {

@@ -33,8 +33,10 @@ void farthest_point(SearchState& state, int max_holds) {
 void minimise(SearchState& state, int max_holds) {
   for (const TiltCone& cone : state.domain)
     if (state.best_value == infinity && state.is_in_domain(cone.axis)) state.visit(cone.axis);
-  for (const Vector<3>& up : state.oracle.candidates)
-    if (state.is_in_domain(up)) state.visit(up);
+  for (const Vector<3>& up : state.oracle.candidates) {
+    if (state.oracle.holds >= max_holds / 4) break;
+    if (state.is_in_domain(up) && !state.is_cut_off(up)) state.visit(up);
+  }
   state.oracle.is_gauge ? farthest_point(state, max_holds) : level_set(state, max_holds);
 }
 

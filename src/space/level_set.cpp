@@ -62,7 +62,7 @@ bool LevelSet::step() {
   heavier_needs_less_ = false;
   if (heavier && lighter) return improves_at(posture_between(lighter_->x, heavier_->x));
   if (!from_inside) return cut_farthest();
-  return cut_nearest() || !(heavier || state_.leaves_no_posture());
+  return cut_nearest() || !(heavier || leaves_no_posture(state_.polytope));
 }
 
 /// Cuts off the farthest vertex outside of the unit sphere. False: there is none.

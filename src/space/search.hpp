@@ -25,6 +25,11 @@ double lower_bound(SearchState& state);
 /// The half-spaces that are needed for a bound t, as cuts.
 std::vector<Cut> certificate(const SearchState& state, double t);
 
+/// What the cuts prove, whatever rounding of long y made the search believe: at most `claimed` [squared weights], at
+/// least `least`, which needs no cut.
+double proven_bound(const Grasp<3>& grasp, const std::vector<Cut>& cuts, bool is_gauge,
+                    double least, double claimed, double gap);
+
 /// Calls `step` while it returns true, holds are left to spend, and better values may exist.
 template <class Step>
 void repeat(const SearchState& state, int max_holds, const Step& step) {

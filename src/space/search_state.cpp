@@ -5,6 +5,8 @@ namespace {
 
 /// Where nothing held: what is above the cap by more than rounding shall be told from it.
 constexpr double above_most = 1.01;
+/// What rounding may take of a bound: a proof goes for so much more, or what the gap allows.
+constexpr double rounding_of_proofs = 3e-10;
 /// Angles outside of the domain [rad] that may be rounding, for postures; and for vertices, which
 /// are cut off as far as that goes. The domain's posture nearest to a vertex is worth a visit.
 constexpr double domain_rounding = 1e-9, vertex_rounding = 1e-12, near_domain = 1e-2;
@@ -33,12 +35,20 @@ Polytope SearchState::cube() const {
 }
 
 double SearchState::wanted_target() const {
-  return std::min((1 - gap) * (1 + 1e-3 * gap) * best_value, above_most * oracle.most);
+  const double margin = std::clamp(rounding_of_proofs, 0.01 * gap, 0.5 * gap);
+  return std::min((1 - gap + margin) * best_value, above_most * oracle.most);
 }
 
 bool SearchState::is_in_domain(const Vector<3>& up) const {
   return std::all_of(domain.begin(), domain.end(),
                      [&](const TiltCone& cone) { return cone.excess(up) <= domain_rounding; });
+}
+
+bool SearchState::is_cut_off(const Vector<3>& up) const {
+  const double at = wanted_target();
+  return std::any_of(half_spaces.begin(), half_spaces.end(), [&](const HalfSpace& half_space) {
+    return half_space.normal.dot(up) > oracle.offset(half_space, at);
+  });
 }
 
 /// To the planes that motions without resistance leave, where it is on them but for rounding.
@@ -141,7 +151,7 @@ bool SearchState::cut_to_domain(const Vector<3>& x, const Polytope::Planes& plan
   return false;
 }
 
-bool SearchState::leaves_no_posture() const {
+bool leaves_no_posture(const Polytope& polytope) {
   return polytope.empty() || polytope[polytope.farthest()].square <= 1 ||
          polytope.nearest().squaredNorm() > 1;
 }

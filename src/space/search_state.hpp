@@ -17,6 +17,9 @@ inline constexpr double no_direction = 1e-3;
 /// a cube of this half width.
 inline constexpr double half_of_limited_cube = 2;
 
+/// No unit vector is left: what is left is shorter, or longer.
+bool leaves_no_posture(const Polytope& polytope);
+
 /// The half-spaces found so far, the polytope that they leave of the x that may need no more than
 /// the target, and the best posture found in the domain.
 struct SearchState {
@@ -41,8 +44,6 @@ struct SearchState {
   double wanted_target() const;
   /// The polytope anew, for another target.
   void rebuild(double new_target);
-  /// No unit vector is left: what is left is shorter, or longer.
-  bool leaves_no_posture() const;
 
   Answer evaluate(const Vector<3>& x, const HalfSpace* start = nullptr) {
     return evaluate(x, start, digits);
@@ -76,6 +77,8 @@ struct SearchState {
     return on_tight_planes(up, planes).posture(up);
   }
   bool is_in_domain(const Vector<3>& up) const;
+  /// Whether what was found proves that the posture is not better than the best.
+  bool is_cut_off(const Vector<3>& up) const;
 
  private:
   Polytope cube() const;

@@ -15,7 +15,7 @@ unpack poise
 [[ $("$dir/poise/usr/bin/poise" --version) == "poise $(field poise Version)" ]]
 doc=$dir/poise/usr/share/doc/poise
 "$dir/poise/usr/bin/poise" best "$doc/examples/l-part.yaml" > /dev/null
-[[ $(field poise Depends) == *libassimp* ]]  # of a module, which the program finds where it is
+[[ $(field poise Depends) == *libembree* ]]  # of a module, which the program finds where it is
 "$dir/poise/usr/bin/poise" hold "$doc/examples/mug-parallel-jaw.yaml" > /dev/null
 [[ -s $doc/README.md && -s $doc/theory.md && -s $doc/pictures/dual.svg ]]
 bash -c 'source "$1" && complete -p poise' - \

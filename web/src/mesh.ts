@@ -129,17 +129,18 @@ export function bodyOf(shape: SpatialShape): Body {
 /** A mesh from a file: edges are where its faces turn by more than 30 degrees. */
 export function bodyOfMesh({ points, triangles }: Triangles): Body {
   const body = flat(points, triangles as unknown as number[][], []);
-  const beside = new Map<string, Vec>();
-  const name = (p: Vec) => p.join();
+  // The program writes equal points once.
+  const beside = new Map<number, Vec>();
   body.triangles.forEach((corners, t) => {
     const n = body.normals[3 * t]!;
     corners.forEach((from, k) => {
-      const [p, q] = [points[from]!, points[corners[(k + 1) % 3]!]!];
-      const other = beside.get(name(q) + name(p));
+      const to = corners[(k + 1) % 3]!;
+      const [here, there] = [from * points.length + to, to * points.length + from];
+      const other = beside.get(there);
       if (other) {
-        beside.delete(name(q) + name(p));
-        if (dot(other, n) < Math.cos(Math.PI / 6)) body.edges.push([p, q]);
-      } else beside.set(name(p) + name(q), n);
+        beside.delete(there);
+        if (dot(other, n) < Math.cos(Math.PI / 6)) body.edges.push([points[from]!, points[to]!]);
+      } else beside.set(here, n);
     });
   });
   return body;

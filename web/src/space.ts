@@ -4,7 +4,7 @@ import { askSpatial, BadGrasp, type Held, type Hold, type Margins, type Plane, t
 import { scenariosOf, type SpatialGrasp, type Vec } from './grasp';
 import { bodyOf, bodyOfMesh, type Body, type Triangles } from './mesh';
 import type { Ring } from './ring';
-import { about, after, angle, length, minus, towards, turned, turnedBack, unit, type Turn } from './turn';
+import { about, after, angle, ballOf, towards, turned, turnedBack, unit, type Ball, type Turn } from './turn';
 import { radians } from './vector';
 import Worker from './worker?worker&inline';
 import type { Coloured, Part, Task } from './worker';
@@ -22,11 +22,6 @@ export interface Found {
   /** All around in the only plane of directions that can be held, where there is but that. */
   ring?: Ring | undefined;
   sphere?: Coloured;
-}
-
-export interface Ball {
-  centre: Vec;
-  radius: number;
 }
 
 const up: Vec = [0, 0, 1];
@@ -236,12 +231,6 @@ function turnTowards(from: Vec, to: Vec, part: number): Vec {
 
 /** The part of space that is shown: fixed for a grasp, so that nothing jumps while one drags. */
 function frameOf({ contacts, scenarios }: SpatialCheck, body: Body | undefined): Ball {
-  const points = contacts.map((contact) => contact.position);
-  points.push(...(body ? body.points : scenarios.map(({ com }) => com)));
-  const centre = [0, 1, 2].map((k) => {
-    const values = points.map((point) => point[k]!);
-    return (values.reduce((a, b) => Math.min(a, b)) + values.reduce((a, b) => Math.max(a, b))) / 2;
-  }) as unknown as Vec;
-  return { centre, radius: points.reduce((most, point) => Math.max(most, length(minus(point, centre))), 0) || 1 };
+  // Joined, as a call cannot take as many arguments as a mesh has points.
+  return ballOf(contacts.map((contact) => contact.position).concat(body ? body.points : scenarios.map(({ com }) => com)));
 }
-

@@ -130,8 +130,7 @@ export class PlanarModel {
 }
 
 function frameOf({ object, contacts }: PlanarGrasp): Frame {
-  const points = contacts.map((contact) => contact.position);
-  points.push(...(object.shape ? outline(object.shape) : [object.com]));
+  const points = contacts.map((contact) => contact.position).concat(object.shape ? outline(object.shape) : [object.com]);
   const middle = (k: 0 | 1) => {
     const values = points.map((point) => point[k]);
     return (Math.min(...values) + Math.max(...values)) / 2;

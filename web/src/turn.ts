@@ -56,3 +56,17 @@ export function frame(z: Vec): Turn {
   const x = across(z);
   return [x, cross(z, x), z];
 }
+
+export interface Ball {
+  centre: Vec;
+  radius: number;
+}
+
+/** About the middle of the box of all points. */
+export function ballOf(points: readonly Vec[]): Ball {
+  const centre = [0, 1, 2].map((k) => {
+    const values = points.map((point) => point[k]!);
+    return (values.reduce((a, b) => Math.min(a, b)) + values.reduce((a, b) => Math.max(a, b))) / 2;
+  }) as unknown as Vec;
+  return { centre, radius: points.reduce((most, point) => Math.max(most, length(minus(point, centre))), 0) || 1 };
+}

@@ -5,6 +5,7 @@ import { bodyOf, bodyOfMesh, hit, icosahedron, onSurface, polytope, refined, spl
 import { folded, unfolded } from '../src/fold';
 import { circle, flat } from '../src/ring';
 import { rounds } from '../src/scale';
+import { ballOf } from '../src/turn';
 import { about, add, after, angle, cross, dot, frame, length, minus, times, towards, turned, turnedBack, unit } from '../src/turn';
 
 // The same numbers in every run.
@@ -67,6 +68,14 @@ describe('bodies', () => {
     const mesh = bodyOfMesh(box);
     expect(mesh.edges).toHaveLength(12);
     expect(volume(mesh)).toBeCloseTo(6, 12);
+  });
+  test('may have more points than a call has arguments', { timeout: 60000 }, () => {
+    // A sheet that is folded once: its edges are the fold and nothing else.
+    const n = 400;
+    const points = Array.from({ length: n * n }, (_, k): Vec => [k % n, Math.abs(Math.floor(k / n) - n / 2), 0.1 * Math.floor(k / n)]);
+    const triangles = points.flatMap((_, k) => (k % n === n - 1 || k >= n * (n - 1) ? [] : [[k, k + 1, k + n], [k + 1, k + n + 1, k + n]] as [number, number, number][]));
+    expect(bodyOfMesh({ points, triangles }).edges).toHaveLength(n - 1);
+    expect(ballOf(points)).toMatchObject({ centre: [(n - 1) / 2, n / 4, 0.05 * (n - 1)] });
   });
   test('are hit where they are', () => {
     const box = bodyOf({ box: { size: [1, 2, 3] } });

@@ -7,15 +7,20 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "batch/hdf5.hpp"
 #include "commands.hpp"
+#include "files/output.hpp"
 #include "files/text.hpp"
+#include "readers/input.hpp"
 
 namespace poise {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct ManyAsked {
@@ -39,7 +44,7 @@ void check(const ManyAsked& asked) {
     if (given && asked.what != what)
       throw UsageError(std::string(flag) + ": is for --what " + what);
   for (const std::string& input : asked.inputs) {
-    const bool acronym = input.ends_with(".h5");
+    const bool acronym = has_ending(input, ".h5");
     if (acronym && asked.mesh_root.empty())
       throw UsageError(shown(input) + ": needs --mesh-root, the folder with its meshes/");
     if (!asked.hdf5.empty() && !acronym)
@@ -47,7 +52,22 @@ void check(const ManyAsked& asked) {
                        " is not a file of it (.h5)");
   }
   if (asked.out.empty() && !asked.hdf5.empty()) throw UsageError("--hdf5: needs --out");
+  std::set<std::string> groups;
+  for (const std::string& input : asked.inputs)
+    if (const std::string group = fs::path(input).stem().string();
+        !asked.hdf5.empty() && !groups.insert(group).second)
+      throw UsageError("--hdf5: two inputs would make the group " + shown(group));
   if (asked.out.empty() && asked.resume) throw UsageError("--resume: needs --out");
+}
+
+/// Before any work is done. @throws UsageError, FileError for arrays that cannot be written
+void check_arrays(const std::string& arrays, const std::string& out) {
+  if (target_of(arrays).is_stream || target_of(out).is_stream)
+    throw UsageError("--hdf5: " + shown(arrays) + " and " + shown(out) + " must be files");
+  for (const char* own : {"", ".part", ".run"})
+    if (fs::weakly_canonical(fs::absolute(arrays)) ==
+        fs::weakly_canonical(fs::absolute(target_of(out).path + own)))
+      throw UsageError("--hdf5: must be another file than that of --out");
 }
 
 /// What may not change between a part and its continuation.
@@ -124,6 +144,7 @@ Reply batch(const ManyAsked& asked) {
   question.command = asked.what == "hold" ? Command::hold : Command::best;
   const std::unique_ptr<Inputs> inputs = open_inputs(asked.inputs, asked.mesh_root);
   const std::string& path = asked.out;
+  if (!asked.hdf5.empty()) check_arrays(asked.hdf5, path);
   Counts counts;
   Output output(path, described(question, *inputs), asked.resume, [&](const std::string& line) {
     const std::optional<Outcome> outcome = outcome_of(line);
@@ -152,7 +173,7 @@ Reply batch(const ManyAsked& asked) {
     throw;
   }
   progress.end();
-  if (!asked.hdf5.empty()) write_hdf5(path + ".part", asked.hdf5);
+  if (!asked.hdf5.empty()) write_hdf5(output.part(), asked.hdf5);
   output.finish();
   std::fputs(fmt::format("{} records: {} answered, {} unholdable, {} bad\n", counts.all(),
                          counts.answered, counts.unholdable, counts.bad)

@@ -1,5 +1,6 @@
 // poise curve: the least effort over all postures of the plane.
 #include "answer.hpp"
+#include "files/output.hpp"
 #include "pictures/pictures.hpp"
 
 namespace poise {
@@ -17,6 +18,7 @@ void plot(const SpatialFile&, const Grasp<3>&, const Question&, const std::strin
 
 Reply curve(const Asked& asked, const std::string& picture) {
   return with_grasp(asked.file, [&](const auto& file, const auto& grasp) {
+    if (!picture.empty()) target_of(picture);
     Reply reply = answer(asked, file, grasp);
     if (picture.empty()) return reply;
     plot(file, grasp, asked.question, picture);

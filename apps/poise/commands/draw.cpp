@@ -1,6 +1,8 @@
 // poise draw: a picture of the object as it hangs.
 #include "answer.hpp"
+#include "files/output.hpp"
 #include "pictures/pictures.hpp"
+#include "readers/input.hpp"
 #include "tables/parts.hpp"
 
 namespace poise {
@@ -29,13 +31,15 @@ std::string caption(const Grasp<Dim>& grasp, const NamedPosture<Dim>& shown) {
 }
 
 Reply draw(const Drawing& drawing) {
-  if (!drawing.out.ends_with(".svg") && !drawing.out.ends_with(".png"))
+  if (!has_ending(drawing.out, ".svg") && !has_ending(drawing.out, ".png"))
     throw UsageError("--out: " + in_quotes(drawing.out) + " must end with .svg or .png");
   return with_grasp(drawing.file, [&](const auto& file, const auto& grasp) {
+    target_of(drawing.out);
     warn(file.warnings);
     const auto shown = posture_to_show(file, grasp, drawing.question);
     draw_posture(file, grasp, shown.posture, caption(grasp, shown), drawing.out);
-    return Reply{"Drawn in " + drawing.out + "\n", shown.posture.holdable()};
+    return Reply{"Drawn in " + drawing.out + "\n", shown.posture.holdable(),
+                 shown.posture.hold().proven};
   });
 }
 

@@ -6,7 +6,7 @@
 
 #include "commands.hpp"
 #include "files/grasp_writer.hpp"
-#include "pictures/plot.hpp"
+#include "files/output.hpp"
 
 namespace poise {
 

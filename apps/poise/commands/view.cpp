@@ -7,6 +7,7 @@
 
 #include "answer.hpp"
 #include "files/grasp_writer.hpp"
+#include "files/output.hpp"
 #include "pictures/plot.hpp"
 
 namespace poise {
@@ -51,6 +52,7 @@ std::string within_page(const std::string& grasp) {
 /// and triangles in JSON, or null), and says so.
 std::string view(const std::string& grasp, const std::string& page,
                  const std::string& mesh = "null") {
+  target_of(page);
   std::string text = empty_page();
   for (const auto& [id, json] : {std::pair("grasp", &grasp), {"mesh", &mesh}}) {
     if (*json == "null") continue;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "plot.hpp"
+#include "shape/characters.hpp"
 
 namespace poise {
 namespace {
@@ -96,13 +97,13 @@ void Canvas::text(const std::string& words, const Vector<2>& at, double size, co
   font(size, bold);
   use(colour);
   cairo_move_to(cairo_, at.x(), at.y());
-  cairo_show_text(cairo_, words.c_str());
+  cairo_show_text(cairo_, harmless(words).c_str());
 }
 
 double Canvas::text_width(const std::string& words, double size, bool bold) const {
   font(size, bold);
   cairo_text_extents_t extents;
-  cairo_text_extents(cairo_, words.c_str(), &extents);
+  cairo_text_extents(cairo_, harmless(words).c_str(), &extents);
   return extents.x_advance;
 }
 

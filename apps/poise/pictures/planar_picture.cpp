@@ -181,7 +181,7 @@ void draw_curve(const PlanarFile& file, const Grasp<2>& grasp, const BestAnswer<
 
 void draw_posture(const PlanarFile& file, const Grasp<2>& grasp, const Posture<2>& posture,
                   const std::string& words, const std::string& path) {
-  const bool svg = path.ends_with(".svg");
+  const bool svg = has_ending(path, ".svg");
   constexpr double width = 700, height = 640, top = 0.86, bottom = 0.08;
   Script script;
   if (svg)

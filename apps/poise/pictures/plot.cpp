@@ -1,6 +1,5 @@
 #include "pictures/plot.hpp"
 
-#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,69 +7,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)
 
 namespace poise {
 namespace {
-
-namespace fs = std::filesystem;
-
-[[noreturn]] void fail(const std::string& path, const std::string& what, int error) {
-  throw OutputError(path + ": " + what + ": " + std::generic_category().message(error));
-}
-
-/// A file beside the target that becomes the target, or vanishes.
-class Draft {
- public:
-  explicit Draft(std::string target)
-      : target_(std::move(target)), path_(target_ + "." + std::to_string(getpid()) + ".part") {
-    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file_ < 0) fail(target_, "cannot be written", errno);
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-  ~Draft() {
-    if (file_ >= 0) close(file_);
-    unlink(path_.c_str());
-  }
-
-  int file() const { return file_; }
-
-  /// Whether all of it arrived.
-  bool write(std::string_view text) const {
-    while (!text.empty()) {
-      const ssize_t written = ::write(file_, text.data(), text.size());
-      if (written < 0 && errno != EINTR) return false;
-      text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-    }
-    return true;
-  }
-
-  /// Whether the end has arrived: gnuplot does not mind a full disk.
-  bool is_whole() const {
-    char end[16] = {};
-    const off_t size = lseek(file_, 0, SEEK_END), part = sizeof end;
-    return size > part && pread(file_, end, sizeof end, size - part) == part &&
-           (std::string_view(end, sizeof end).find("</svg>") != std::string_view::npos ||
-            std::string_view(end, sizeof end).find("IEND") != std::string_view::npos);
-  }
-
-  void publish() {
-    if (close(std::exchange(file_, -1)) != 0 || std::rename(path_.c_str(), target_.c_str()) != 0)
-      fail(target_, "cannot be written", errno);
-  }
-
- private:
-  std::string target_, path_;
-  int file_{-1};
-};
 
 /// The environment of this process in a locale that has all characters: in the C locale gnuplot
 /// complains about the degree sign.
@@ -105,35 +50,52 @@ int run_gnuplot(int in, int out) {
   return status;
 }
 
-/// The file to write to: a link stays a link.
-std::string target_of(const std::string& path) {
-  std::error_code none;
-  if (!fs::exists(path, none)) return path;
-  if (!fs::is_regular_file(path, none)) throw OutputError(path + ": is not a file to write to");
-  return fs::canonical(path, none).string();
+/// The whole of a temporary file.
+std::string text_of(std::FILE* file) {
+  std::string text;
+  std::rewind(file);
+  char part[4096];
+  while (const std::size_t size = std::fread(part, 1, sizeof part, file)) text.append(part, size);
+  return text;
+}
+
+/// Gnuplot leaves a > in names as it is, which ]]> may not have in XML.
+std::string with_entities(const std::string& svg) {
+  std::string text;
+  for (std::size_t at = 0; at < svg.size();) {
+    const bool markup = svg[at] == '<';
+    const char* const close = svg.compare(at, 9, "<![CDATA[") == 0 ? "]]>"
+                              : svg.compare(at, 4, "<!--") == 0    ? "-->"
+                                                                   : ">";
+    const std::size_t end = markup ? svg.find(close, at) : svg.find('<', at);
+    const std::size_t next = end == std::string::npos ? svg.size()
+                             : markup                 ? end + std::string_view(close).size()
+                                                      : end;
+    for (; at < next; ++at) text += !markup && svg[at] == '>' ? "&gt;" : std::string(1, svg[at]);
+  }
+  return text;
 }
 
 }  // namespace
 
-void write_file(const std::string& text, const std::string& path) {
-  Draft draft(target_of(path));
-  if (!draft.write(text)) fail(path, "cannot be written", errno);
-  draft.publish();
-}
-
 void draw(const std::string& script, const std::string& path) {
-  const std::string target = target_of(path);
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::tmpfile(), std::fclose);
-  if (!in || std::fwrite(script.data(), 1, script.size(), in.get()) != script.size() ||
+  target_of(path);
+  using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+  const File in(std::tmpfile(), std::fclose), out(std::tmpfile(), std::fclose);
+  if (!in || !out || std::fwrite(script.data(), 1, script.size(), in.get()) != script.size() ||
       std::fflush(in.get()) != 0)
     throw OutputError("cannot write a temporary file: " + std::generic_category().message(errno));
   std::rewind(in.get());
-
-  Draft draft(target);
-  if (run_gnuplot(fileno(in.get()), draft.file()) != 0)
+  if (run_gnuplot(fileno(in.get()), fileno(out.get())) != 0)
     throw OutputError(path + ": gnuplot could not draw it");
-  if (!draft.is_whole()) throw OutputError(path + ": cannot be written whole");
-  draft.publish();
+  const std::string drawing = text_of(out.get());
+  // Gnuplot does not mind a full disk.
+  const std::string_view end =
+      std::string_view(drawing).substr(drawing.size() - std::min<std::size_t>(drawing.size(), 16));
+  const bool svg = end.find("</svg>") != std::string_view::npos;
+  if (!svg && end.find("IEND") == std::string_view::npos)
+    throw OutputError(path + ": cannot be written whole");
+  write_file(svg ? with_entities(drawing) : drawing, path);
 }
 
 }  // namespace poise

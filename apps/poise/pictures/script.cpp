@@ -11,7 +11,10 @@ std::string quoted(const std::string& text, std::size_t longest) {
   std::size_t at = 0;
   for (std::size_t k = 0; at < text.size() && k < longest; ++k) {
     const std::size_t size = std::max<std::size_t>(character_size(text, at), 1);
-    result += is_control(text, at) ? " " : text[at] == '\'' ? "''" : text.substr(at, size);
+    result += is_control(text, at)  ? " "
+              : is_unseen(text, at) ? "?"
+              : text[at] == '\''    ? "''"
+                                    : text.substr(at, size);
     at += size;
   }
   return result + (at < text.size() ? "…'" : "'");

@@ -405,7 +405,7 @@ void draw_posture(const SpatialFile& file, const Grasp<3>& grasp, const Posture<
   for (Push& push : picture.pushes)
     push.hidden = hidden(picture, body, grasp.contacts()[push.contact]);
 
-  Canvas canvas(page_width, page_height, path.ends_with(".svg"));
+  Canvas canvas(page_width, page_height, has_ending(path, ".svg"));
   draw_held_object(canvas, view, picture, body);
   draw_forces(canvas, view, picture);
   const auto centred = [&](const std::string& line, double y, double size, bool bold) {

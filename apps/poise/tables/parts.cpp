@@ -21,6 +21,11 @@ std::string strongest(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
   return "finger " + grasp.fingers()[static_cast<std::size_t>(most - fingers.begin())];
 }
 
+/// More than the others' where all of a column would be shown as 0 without being rounding.
+int decimals_of_column(int others, double largest, double whole) {
+  return largest < std::pow(10, -others) && largest > 1e-9 * whole ? decimals_for(largest) : others;
+}
+
 }  // namespace
 
 std::string title(const std::string& name, const Style& style) {
@@ -70,8 +75,21 @@ std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const S
   const std::vector<Contact<Dim>>& contacts = grasp.contacts();
   const bool any_soft = std::any_of(contacts.begin(), contacts.end(),
                                     [](const auto& contact) { return contact.torsion > 0; });
-  const int decimals = decimals_for(grip_force(grasp, hold));
   const Lengths lengths(grasp.radius());
+  const double grip = grip_force(grasp, hold);
+  double tangential = 0, moment = 0;
+  for (const ContactForce<Dim>& force : hold.forces) {
+    if constexpr (Dim == 2) {
+      tangential = std::max(tangential, std::abs(force.tangential));
+    } else {
+      tangential = std::max(tangential, force.tangential.norm());
+      moment = std::max(moment, lengths.per_metre * std::abs(force.torsion_moment));
+    }
+  }
+  const int decimals = decimals_for(grip);
+  const int across = decimals_of_column(decimals, tangential, grip);
+  const int about = decimals_of_column(std::max(0, decimals + (lengths.per_metre > 1 ? -2 : 0)),
+                                       moment, lengths.per_metre * grasp.radius() * grip);
   std::vector<std::string> headings{"<finger", "contact", "normal [N]", "tangential [N]"};
   if (any_soft) headings.push_back(fmt::format("torsion [N {}]", lengths.unit));
   for (const char* rest : {"friction used", "<state", "<limit"}) headings.emplace_back(rest);
@@ -85,13 +103,12 @@ std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const S
       std::vector<std::string> row{count++ == 0 ? grasp.fingers()[k] : "", std::to_string(i),
                                    fixed(force.normal, decimals)};
       if constexpr (Dim == 2) {
-        row.push_back(fixed(force.tangential, decimals));
+        row.push_back(fixed(force.tangential, across));
       } else {
-        row.push_back(fixed(force.tangential.norm(), decimals));
+        row.push_back(fixed(force.tangential.norm(), across));
         if (any_soft)
           row.push_back(contacts[i].torsion > 0
-                            ? fixed(lengths.per_metre * force.torsion_moment,
-                                    std::max(0, decimals + (lengths.per_metre > 1 ? -2 : 0)))
+                            ? fixed(lengths.per_metre * force.torsion_moment, about)
                             : "");
       }
       row.push_back(loaded ? fixed(100 * force.friction_used, 1) + " %" : "");

@@ -42,10 +42,14 @@ std::string proof_text(const Best<3>& best, const SpatialSettings& settings) {
     return fmt::format(
         "Proven with {} holds: the effort of no posture{} is lower by more than a part of {:.1g}.",
         best.proof.holds, scope(settings), std::max(best.relative_gap, 1e-12));
+  const char* const advice = best.proof.holds < settings.max_holds
+                                 ? "rounding leaves that open."
+                                 : "more holds (--max-holds) may tell.";
   return fmt::format(
       "Not proven: a gap of {:.2g} was wanted, after {} holds it is {:.2g}. A posture{} may exist "
-      "that needs an effort of only {} N²; more holds (--max-holds) may tell.",
-      settings.gap, best.proof.holds, best.relative_gap, scope(settings), plain(best.lower_bound));
+      "that needs an effort of only {} N²; {}",
+      settings.gap, best.proof.holds, best.relative_gap, scope(settings), plain(best.lower_bound),
+      advice);
 }
 
 /// Why no posture is shown.

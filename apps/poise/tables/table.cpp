@@ -61,10 +61,14 @@ std::string fixed(double value, int decimals) {
 int decimals_for(double largest) {
   if (!(largest > 0)) return 0;
   const double rounded = largest * 1.00005;  // 9.9999 to four digits is 10.00
-  return std::clamp(3 - static_cast<int>(std::floor(std::log10(rounded))), 0, 9);
+  return std::clamp(3 - static_cast<int>(std::floor(std::log10(rounded))), 0, 15);
 }
 
-std::string plain(double value) { return fixed(value, decimals_for(std::abs(value))); }
+std::string plain(double value) {
+  const double size = std::abs(value);
+  return size >= 1e15 || (size > 0 && size < 1e-9) ? fmt::format("{:.3e}", value)
+                                                   : fixed(value, decimals_for(size));
+}
 
 std::string degrees_text(double radians) { return fixed(degrees(radians), 2) + "°"; }
 

@@ -33,7 +33,7 @@ std::string vector_text(const Vector& vector, int decimals) {
 }
 /// Decimals that show the largest of some numbers with four digits.
 int decimals_for(double largest);
-/// A number with at least four digits and no exponent.
+/// A number with at least four digits, without an exponent unless it is below 1e-9 or above 1e15.
 std::string plain(double value);
 /// An angle in degrees, like 30.00°.
 std::string degrees_text(double radians);
