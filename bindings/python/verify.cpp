@@ -65,7 +65,16 @@ void add_verify(py::module_& module) {
   py::class_<Verdict>(module, "Verdict", "What came of checking an answer again.")
       .def_property_readonly("confirmed", &Verdict::confirmed, "Whether all claims are true.")
       .def_property_readonly("refuted", &Verdict::refutations, "The claims that are not.")
-      .def_property_readonly("notes", &Verdict::notes, "What is not claimed, or not checked.")
+      .def_property_readonly(
+          "unchecked",
+          [](const Verdict& verdict) {
+            std::vector<std::pair<std::string, std::string>> list;
+            for (const verify::Unchecked& each : verdict.unchecked())
+              list.emplace_back(each.where, each.words);
+            return list;
+          },
+          "What is claimed and not checked: where, and why.")
+      .def_property_readonly("notes", &Verdict::notes, "What is not claimed.")
       .def("__bool__", &Verdict::confirmed)
       .def("__repr__", [](const Verdict& verdict) {
         return py::str("Verdict({})")

@@ -30,16 +30,15 @@ template <int Dim>
 void check_capacity(Verdict& verdict, const RealGrasp& grasp, const CapacityDocument<Dim>& capacity,
                     const Present& present);
 
-/// Checks that forces hold the object within the force cap [weights] and none with less effort do,
-/// or the proof that none do.
+/// Checks that forces hold the object within the force cap [weights], or the proof that none do.
 template <int Dim>
 void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                 const HoldClaim<Dim>& hold, Real force_cap);
-/// Checks also that they hold this load: at a limit of holding, forces for one within the tolerance
-/// of the balance may need less.
+/// Checks also that no forces have less effort. At the limit of what can be held forces for a load
+/// within the tolerance of the balance may need less than dual proves.
 template <int Dim>
-void check_exact_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
-                      const HoldClaim<Dim>& hold, Real force_cap);
+void check_least_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
+                      const HoldClaim<Dim>& hold, Real force_cap, bool at_limit = false);
 
 /// Checks that what is told of a contact follows from its force, and returns that force as G takes
 /// it.

@@ -180,7 +180,7 @@ std::vector<Valley> valleys(const Chain& chain, Real sign) {
 RealOptimum check_optimum(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                           const OptimumClaim& claim, const std::vector<Chain>& chains,
                           Extremum type, Real force_cap) {
-  check_exact_hold<2>(verdict, place, grasp, claim, force_cap);
+  check_least_hold<2>(verdict, place, grasp, claim, force_cap, claim.kind == Kind::boundary);
   const Real theta = radians_of(claim.angle_deg);
   RealOptimum optimum{place, claim, theta, theta, theta};
   verdict.check(place, "an optimum is holdable", claim.holdable);

@@ -629,7 +629,10 @@ class Verify(unittest.TestCase):
             grasp = poise.Grasp(file.object, file.contacts, file.safety)
             for command in ["check", "hold", "best", "capacity"]:
                 document = answer(command, ROOT / "examples" / f"{name}.yaml")
-                self.assertTrue(poise.verify(grasp, document), (name, command))
+                verdict = poise.verify(grasp, document)
+                self.assertTrue(verdict, (name, command))
+                if command == "check":
+                    self.assertIn(("force_closure", "follows from the file"), verdict.unchecked)
                 self.assertTrue(poise.verify(grasp, json.dumps(document)))
             document["capacities"][0]["weight"]["given"] *= 2
             self.assertIn("capacities[0]", repr(poise.verify(grasp, document)))
