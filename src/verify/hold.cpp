@@ -214,7 +214,7 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
   for (int exponent = -2; exponent >= -80 && !(proven > cap * cap); exponent -= 2)
     proven = std::max(proven, proof(std::ldexp(Real{1}, exponent)));
   verdict.check(of_bound, "lower_bound is not above what dual proves",
-                hold.lower_bound / proven - 1, 1e-6L);
+                hold.lower_bound / proven - 1, 1e-2L);
   verdict.check(place, "dual proves that the force cap is not enough: cap^2 / bound",
                 proven > 0 ? cap * cap / proven : 2, 1);
   verdict.unchecked(place / "reason", "is in words");
