@@ -220,8 +220,6 @@ bool is_below(const std::string& path, const std::string& part) {
 /// Whether numbers differ by more than any tolerance; `size` is that of what they stand among.
 bool differ(double a, double b, const std::string& key, double size) {
   const double off = std::abs(a - b);
-  // Of what cannot be held; what can be is as exact as its effort.
-  if (key == "lower_bound" && off < 0.009 * a) return false;
   if (key.ends_with("_deg")) return off > 1e-4 && std::abs(off - 360) > 1e-4;
   if (key == "relative_gap" || key == "residual" || key == "friction_used") return off > 1e-5;
   return off > 1e-5 * std::max({std::abs(a), std::abs(b), size, 1e-6});
