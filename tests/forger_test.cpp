@@ -308,7 +308,12 @@ std::vector<std::string> changes(const Json& document, Json forged,
     // Where the fork of the fingers ends both manners are right.
     const bool at_fork = path.ends_with("manner") && document["options"].contains("domain") &&
                          document["options"]["domain"] == "pinched";
-    if (!at_fork && std::none_of(unchecked.begin(), unchecked.end(), names))
+    const bool is_weaker = path == "lower_bound" && document["command"] == "best" &&
+                           forged[path].is_number() && forged[path] < document[path];
+    // Of two loads that cannot be held either decides.
+    const bool is_either = path == "scenario" && document["holdable"] == false;
+    if (!at_fork && !is_weaker && !is_either &&
+        std::none_of(unchecked.begin(), unchecked.end(), names))
       changed.push_back(path);
   }
   return changed;
