@@ -27,6 +27,9 @@ export const browser = await chromium.launch({
 export async function open(file, { width = 1280, height = 800, colorScheme = 'light', deviceScaleFactor = 1 } = {}) {
   const page = await browser.newPage({ viewport: { width, height }, colorScheme, deviceScaleFactor });
   page.setDefaultTimeout(patience);
+  // Under load the browser now and then has no picture yet; the pictures are for people.
+  const picture = page.screenshot.bind(page);
+  page.screenshot = (options) => picture(options).catch(() => picture(options));
   page.on('console', (message) => expect(false, 'a console message', message.text()));
   page.on('pageerror', (error) => expect(false, 'an error', error.stack));
   page.on('request', (request) => expect(/^(file|data|blob):/.test(request.url()), 'a request', request.url()));
