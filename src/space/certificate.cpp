@@ -98,7 +98,7 @@ double proven_bound(const Grasp<3>& grasp, const std::vector<Cut>& cuts, bool is
   }
   // Claims that fail do so by little: longer and longer steps down.
   double bound = claimed;
-  for (double step = 0.1 * gap; bound > least; step *= 4) {
+  for (double step = 1e-3 * gap; bound > least; step *= 4) {
     if (leaves_no_posture(left_by(grasp, cuts, square * bound, false))) return bound;
     bound = claimed * (1 - step);
   }
