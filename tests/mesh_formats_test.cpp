@@ -395,19 +395,6 @@ TEST(Polygons, OfManyCornersTakeNoTime) {
 
 // glTF
 
-std::string base64(const std::string& bytes) {
-  const char* const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? letters[three >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 /// The cube's vertices as floats, then the indices of its triangles.
 std::string cube_bytes() {
   std::string bytes;

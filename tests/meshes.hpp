@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <string>
 
@@ -128,6 +129,20 @@ inline void write_obj(const Mesh& mesh, const std::string& path) {
     out << "v " << v.x() << ' ' << v.y() << ' ' << v.z() << '\n';
   for (const auto& [i, j, k] : mesh.triangles)
     out << "f " << i + 1 << ' ' << j + 1 << ' ' << k + 1 << '\n';
+}
+
+/// Its bytes as text, as glTF has them.
+inline std::string base64(const std::string& bytes) {
+  const char* const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? letters[three >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
 }
 
 }  // namespace poise::test

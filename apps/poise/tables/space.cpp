@@ -36,20 +36,23 @@ std::string optima_text(const Grasp<3>& grasp, const std::vector<Minimum<3>>& op
   return optima_table(rows, words, style);
 }
 
+/// Where something is not proven: whether more holds are of use.
+const char* what_may_tell(const Best<3>& best, const SpatialSettings& settings) {
+  return best.proof.holds < settings.max_holds ? "rounding leaves that open."
+                                               : "more holds (--max-holds) may tell.";
+}
+
 /// How sure the best is.
 std::string proof_text(const Best<3>& best, const SpatialSettings& settings) {
   if (best.status == Status::optimal)
     return fmt::format(
         "Proven with {} holds: the effort of no posture{} is lower by more than a part of {:.1g}.",
         best.proof.holds, scope(settings), std::max(best.relative_gap, 1e-12));
-  const char* const advice = best.proof.holds < settings.max_holds
-                                 ? "rounding leaves that open."
-                                 : "more holds (--max-holds) may tell.";
   return fmt::format(
       "Not proven: a gap of {:.2g} was wanted, after {} holds it is {:.2g}. A posture{} may exist "
       "that needs an effort of only {} N²; {}",
       settings.gap, best.proof.holds, best.relative_gap, scope(settings), plain(best.lower_bound),
-      advice);
+      what_may_tell(best, settings));
 }
 
 /// Why no posture is shown.
@@ -57,8 +60,9 @@ std::string nowhere(const Grasp<3>& grasp, const BestAnswer<3>& answer) {
   if (answer.best.status == Status::gap)
     return wrapped(fmt::format(
         "Found no posture{} in which it can be held, in {} holds. That there is none is not "
-        "proven; more holds (--max-holds) may tell.",
-        scope(answer.settings), answer.best.proof.holds));
+        "proven; {}",
+        scope(answer.settings), answer.best.proof.holds,
+        what_may_tell(answer.best, answer.settings)));
   return wrapped("Cannot be held in any posture" + scope(answer.settings) + ".") +
          why_nowhere<3>(grasp, answer.unholdable, answer.without_max_normal);
 }
