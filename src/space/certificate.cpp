@@ -17,7 +17,7 @@ constexpr double no_bound = 1e-300;
 /// far more than itself, and who computes otherwise must find the bound true.
 constexpr double loosened = 1e-11;
 /// Shorter y [1 / weight] lose less by rounding than the search adds for it.
-constexpr double long_y = 1e6;
+constexpr double longest_trusted_y = 1e6;
 
 /// The half-space n . x <= b in which a cut leaves the loads x whose effort [N^2] is at most t.
 /// Where the root of the effort is a gauge, for the best length of y.
@@ -86,7 +86,7 @@ double lower_bound(SearchState& state) {
 double proven_bound(const Grasp<3>& grasp, const std::vector<Cut>& cuts, bool is_gauge,
                     double least, double claimed, double gap) {
   const bool is_long = std::any_of(cuts.begin(), cuts.end(), [&](const Cut& cut) {
-    return cut.y.cwiseAbs().maxCoeff() > long_y * grasp.loads()[cut.load].weight;
+    return cut.y.cwiseAbs().maxCoeff() > longest_trusted_y * grasp.loads()[cut.load].weight;
   });
   if (!is_long) return claimed;
   const Exact square = Exact{grasp.weight()} * grasp.weight();
