@@ -17,11 +17,13 @@ class Grasp : public Hand<Dim> {
   /// The hand is made about the centre of mass of the first load.
   /// @param safety  every friction and torsion is divided by it, >= 1
   /// @throws InvalidGrasp where a number is not finite or out of its range, a normal has no length,
-  ///         or there are no contacts or no loads.
-  Grasp(const Load<Dim>& load, std::vector<Contact<Dim>> contacts, double safety = 1);
+  ///         there are no contacts or no loads, or a drive moves a finger that there is not.
+  Grasp(const Load<Dim>& load, std::vector<Contact<Dim>> contacts, double safety = 1,
+        Mechanism<Dim> mechanism = {});
   /// A template, so that the braces of a load are never taken for those of a vector.
   template <std::same_as<std::vector<Load<Dim>>> Loads>
-  Grasp(Loads loads, std::vector<Contact<Dim>> contacts, double safety = 1);
+  Grasp(Loads loads, std::vector<Contact<Dim>> contacts, double safety = 1,
+        Mechanism<Dim> mechanism = {});
 
   const std::vector<Load<Dim>>& loads() const { return loads_; }  ///< at least one
   /// The greatest weight of the loads [N].

@@ -38,13 +38,24 @@ template <>
 struct ContactForce<3> {
   double normal;          ///< along the inward normal [N], >= 0
   Vector<3> tangential;   ///< tangent to the contact, object frame [N]
-  double torsion_moment;  ///< of a soft finger, about the inward normal [N m]
+  double torsion_moment;  ///< of a soft finger or a pad, about the inward normal [N m]
   /// sqrt(|tangential|^2 + (torsion_moment friction / torsion)^2) / (friction * normal), 0 to 1; 1
   /// for a loaded frictionless contact, 0 for an unloaded one.
+  /// Of a pad: the sum over its points of |tangential| / (friction * normal).
   double friction_used;
   ContactState state;
   ForceLimit limit;
+  /// Of a pad: where N acts, from the contact's position, object frame [m]. Of others zero.
+  Vector<3> center_of_pressure;
 };
+
+/// What is to be least.
+enum class Objective {
+  grip,    ///< the greatest effort of the drives: what to command
+  effort,  ///< the sum of squares of the contact forces, the paper's (12)
+};
+/// The name of the value: "grip".
+const char* to_string(Objective objective);
 
 /// What still counts as a hold.
 struct HoldSettings {
@@ -67,6 +78,9 @@ struct Hold {
   double lower_bound{0};  ///< on the effort, by `dual` [N^2]
   double residual{0};     ///< balance error: the larger of force / W and moment / (W L)
   SmallVector<ContactForce<Dim>, 16> forces;  ///< one for each contact; empty where unholdable
+  Objective objective{Objective::effort};  ///< on which lower_bound is
+  /// Of the drives, >= 0, where they say something: docs/theory.md, (9) and (10).
+  SmallVector<double, 4> rates;
 };
 
 /// The hold of least effort in the posture `up` (unit vector against gravity, object frame), against
@@ -105,6 +119,8 @@ double bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Dim>& y
 template <int Dim>
 struct FingerForce {
   double normal{0};                         ///< sum of the normal forces [N]
+  /// The part of the force along the closing direction [N]; 0 where there is none.
+  double pressing{0};
   Vector<Dim> force = Vector<Dim>::Zero();  ///< on the object, object frame [N]
 };
 

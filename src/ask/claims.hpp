@@ -41,6 +41,9 @@ void fields(Tilt& tilt, auto& visit) {
   visit("from", tilt.from);
   visit.degrees("max_deg", tilt.most);
 }
+void fields(Pad& pad, auto& visit) {
+  visit("points", pad.points, "shares", pad.shares, "axis", pad.axis, "reach", pad.reach);
+}
 void fields(Cut& cut, auto& visit) {
   visit.maybe("n", cut.n);
   if (!cut.n) visit("y", cut.y, "scenario", cut.load);

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include "dual/cone_pad.hpp"
 #include "dual/cone_plane.hpp"
 #include "dual/cone_space.hpp"
 #include "poise/grasp.hpp"
+#include "poise/small_vector.hpp"
 
 namespace poise::dual {
 
@@ -24,20 +26,81 @@ Eigen::Matrix<Exact, Dim, 1> velocity(const Twist<Dim>& y, const Vector<Dim>& po
   return v;
 }
 
-/// phi(G^T y), with all frictions and torsions multiplied by a factor: of each contact the greatest
-/// z . f - |f|^2 / (2 share).
+/// Of a contact the greatest z . f - effort / 2.
+template <int Dim>
+Exact phi(const Contact<Dim>& contact, const Twist<Dim>& y, double friction_factor) {
+  const Exact mu = Exact{contact.friction} * friction_factor, share = contact.share;
+  if constexpr (Dim == 3)
+    if (contact.pad) return pad_phi<Exact>(contact, pad_slide<Exact>(contact, y), mu);
+  const Slide<Exact> z = slide<Exact>(contact, y);
+  // Where z is inside the cone, its projection to the edge presses less.
+  const Exact edge = (z.normal + mu * z.beside) / (1 + mu * mu);
+  const Exact n =
+      std::clamp<Exact>(share * std::max(z.normal, edge), contact.min_normal, contact.max_normal);
+  const Exact t = std::min(share * z.beside, mu * n);
+  return n * z.normal + t * z.beside - (n * n + t * t) / (2 * share);
+}
+
+/// phi(G^T y), with all frictions and torsions multiplied by a factor.
 template <int Dim>
 Exact phi(const Hand<Dim>& hand, const Twist<Dim>& y, double friction_factor = 1) {
   Exact sum = 0;
-  for (const Contact<Dim>& contact : hand.contacts()) {
-    const Slide<Exact> z = slide<Exact>(contact, y);
-    const Exact mu = Exact{contact.friction} * friction_factor, share = contact.share;
-    // Where z is inside the cone, its projection to the edge presses less.
-    const Exact edge = (z.normal + mu * z.beside) / (1 + mu * mu);
-    const Exact n =
-        std::clamp<Exact>(share * std::max(z.normal, edge), contact.min_normal, contact.max_normal);
-    const Exact t = std::min(share * z.beside, mu * n);
-    sum += n * z.normal + t * z.beside - (n * n + t * t) / (2 * share);
+  for (const Contact<Dim>& contact : hand.contacts()) sum += phi(contact, y, friction_factor);
+  return sum;
+}
+
+/// The greatest power of a contact's force per newton of normal force.
+template <int Dim>
+Exact power(const Contact<Dim>& contact, const Twist<Dim>& y, double friction_factor = 1) {
+  const Exact mu = Exact{contact.friction} * friction_factor;
+  if constexpr (Dim == 3)
+    if (contact.pad) return pad_power<Exact>(contact, pad_slide<Exact>(contact, y), mu);
+  return power(slide<Exact>(contact, y), mu);
+}
+
+using Rates = SmallVector<double, 4>;
+
+/// y less what drives with these rates move of each finger.
+template <int Dim>
+std::vector<Twist<Dim>> against_fingers(const Hand<Dim>& hand, const Twist<Dim>& y,
+                                        const Rates& rates, bool in_parts) {
+  std::vector<Twist<Dim>> left(hand.fingers().size(), y);
+  if (rates.empty()) return left;
+  const std::vector<Drive<Dim>> drives = hand.drives();
+  for (std::size_t a = 0; a < drives.size(); ++a)
+    for (const auto& moved : drives[a].moves)
+      for (std::size_t k = 0; k < left.size(); ++k)
+        if (hand.fingers()[k] == moved.finger)
+          left[k] -= rates[a] / (in_parts ? drives[a].max : 1) * moved.twist;
+  return left;
+}
+
+/// What (y, rates) prove of the effort under the limits of drives, 2 (y . w - Σ rate max - phi):
+/// (9) of docs/theory.md [N^2].
+template <int Dim>
+Exact effort_bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Dim>& y,
+                   const Rates& rates, double friction_factor) {
+  Exact sum = y.template cast<Exact>().dot(load.template cast<Exact>());
+  const std::vector<Drive<Dim>> drives = hand.drives();
+  for (std::size_t a = 0; a < rates.size(); ++a)
+    if (rates[a] > 0) sum -= Exact{rates[a]} * drives[a].max;
+  const auto felt = against_fingers(hand, y, rates, false);
+  for (std::size_t i = 0; i < hand.contacts().size(); ++i)
+    sum -= phi(hand.contacts()[i], felt[hand.finger_of(i)], friction_factor);
+  return 2 * sum;
+}
+
+/// What (y, rates) prove of the grip: (10) of docs/theory.md. `in_parts`: grip is in parts of max.
+/// `force_norm` [N]: of the forces that are looked at, by which rounding is worth something.
+template <int Dim>
+Exact grip_bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Dim>& y,
+                 const Rates& rates, bool in_parts, double force_norm) {
+  const auto felt = against_fingers(hand, y, rates, in_parts);
+  Exact sum = y.template cast<Exact>().dot(load.template cast<Exact>());
+  for (std::size_t i = 0; i < hand.contacts().size(); ++i) {
+    const Contact<Dim>& contact = hand.contacts()[i];
+    const Exact most = power(contact, felt[hand.finger_of(i)]);
+    sum -= most * (most <= 0 ? contact.min_normal : std::min(contact.max_normal, force_norm));
   }
   return sum;
 }

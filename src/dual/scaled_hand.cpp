@@ -96,6 +96,8 @@ Hand<Dim>::Scaled::Scaled(const std::vector<Contact<Dim>>& contacts, const Vecto
     limited = limited || contact.min_normal > 0 || std::isfinite(contact.max_normal);
   }
   prepare();
+  for (const Contact<Dim>& contact : contacts)
+    if (contact.pad) unfelt.clear();  // pads feel all
 }
 
 template <>

@@ -6,6 +6,7 @@
 #include "files/field.hpp"
 #include "files/grasp_document.hpp"
 #include "files/gripper_field.hpp"
+#include "files/mechanism_field.hpp"
 #include "files/mesh_field.hpp"
 #include "files/plausible.hpp"
 #include "shape/number_text.hpp"
@@ -214,6 +215,7 @@ template <int Dim>
 void read_into(Eigen::Matrix<double, Dim, 1>& value, const Field& field) {
   value = field.vector<Dim>();
 }
+void read_into(std::optional<Pad>& /*value*/, const Field& /*field*/) {}  // needs the normal
 
 void check_torsion(const Field& torsion, double friction) {
   if (torsion.at_least_zero() > 0 && friction == 0)
@@ -223,7 +225,7 @@ void check_torsion(const Field& torsion, double friction) {
 template <int Dim>
 Contact<Dim> read_contact(const Field& field, double unit, bool outward,
                           const std::optional<ShapeOf<Dim>>& shape) {
-  check_keys<Dim>(field, {}, contact_keys<2>(), contact_keys<3>());
+  check_keys<Dim>(field, {"pad"}, contact_keys<2>(), contact_keys<3>());
   const Field position = field.get("position", coordinates<Dim>);
   field.get("friction", "a number");
   Contact<Dim> contact;
@@ -235,13 +237,41 @@ Contact<Dim> read_contact(const Field& field, double unit, bool outward,
   contact.torsion *= unit;
   if (!shape) field.get("normal", std::string(coordinates<Dim>) + ", as there is no shape");
   if (outward) contact.normal = -contact.normal;
-  if (field.find("normal")) return contact;
-  try {
-    contact.normal = inward_normal(*shape, contact.position);
-  } catch (const NoNormal& error) {
-    position.fail(error.what());
+  if (const auto normal = field.find("normal")) {
+    if (!(contact.normal.cwiseAbs().maxCoeff() > 0))
+      normal->fail("has no length, must point from the finger inwards");
+  } else {
+    try {
+      contact.normal = inward_normal(*shape, contact.position);
+    } catch (const NoNormal& error) {
+      position.fail(error.what());
+    }
   }
+  if constexpr (Dim == 3)
+    if (const auto pad = field.find("pad")) {
+      for (const char* key : {"torsion", "share"})
+        if (const auto other = field.find(key))
+          other->fail("is given for a pad, must be left out: its points resist the twist");
+      contact.pad = read_pad(*pad, unit, contact.normal);
+    }
   return contact;
+}
+
+/// In the plane a pad is two contacts at its ends.
+std::vector<Contact<2>> ends_of_pad(const Field& pad, double unit, const Contact<2>& middle,
+                                    std::size_t index) {
+  pad.mapping({"size"});
+  if (std::isfinite(middle.max_normal) || middle.min_normal > 0)
+    pad.fail("is given with limits of the normal force, must have max_force of the finger instead");
+  const double half = unit * pad.get("size", "a length").above_zero() / 2;
+  std::vector<Contact<2>> ends(2, middle);
+  const Vector<2> n = middle.normal.stableNormalized(), tangent(-n.y(), n.x());
+  for (std::size_t k = 0; k < 2; ++k) {
+    ends[k].position += (k == 0 ? -half : half) * tangent;
+    ends[k].share = middle.share / 2;
+    if (middle.finger.empty()) ends[k].finger = std::to_string(index);
+  }
+  return ends;
 }
 
 /// A unit vector.
@@ -263,11 +293,14 @@ Tilt read_tilt(const Field& field) {
 template <int Dim>
 void read_head(const Field& root, CommonFile<Dim>& file) {
   check_keys<Dim>(root,
-                  {"poise", "dimension", "name", "safety", "domain", "length_unit", "normals",
-                   "object", "contacts"},
+                  {"poise", "dimension", "name", "safety", "objective", "domain", "length_unit",
+                   "normals", "object", "contacts", "fingers", "drives"},
                   {"angle_deg"}, {"up", "tilt", "gripper"});
   if (const auto name = root.find("name")) file.name = name->text();
   if (const auto safety = root.find("safety")) file.safety = safety->number();
+  if (const auto objective = root.find("objective"))
+    file.objective =
+        objective->word({"grip", "effort"}) == "grip" ? Objective::grip : Objective::effort;
 }
 
 template <int Dim>
@@ -284,8 +317,16 @@ template <int Dim>
 void read_contacts(const Field& root, double unit, CommonFile<Dim>& file) {
   const auto normals = root.find("normals");
   const bool outward = normals && normals->word({"inward", "outward"}) == "outward";
-  for (const Field& contact : root.get("contacts", "a list").list())
-    file.contacts.push_back(read_contact<Dim>(contact, unit, outward, file.shape));
+  const std::vector<Field> list = root.get("contacts", "a list").list();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    file.contacts.push_back(read_contact<Dim>(list[i], unit, outward, file.shape));
+    if constexpr (Dim == 2)
+      if (const auto pad = list[i].find("pad")) {
+        const std::vector<Contact<2>> ends = ends_of_pad(*pad, unit, file.contacts.back(), i);
+        file.contacts.pop_back();
+        file.contacts.insert(file.contacts.end(), ends.begin(), ends.end());
+      }
+  }
 }
 
 /// The contacts of a gripper that closes on the shape.
@@ -325,6 +366,7 @@ PlanarFile read_planar(const Field& root) {
   const Field object = read_shape_of_object<2>(root, unit, file);
   file.loads = {read_load<2>(object, unit, file.shape)};
   read_contacts<2>(root, unit, file);
+  file.mechanism = read_mechanism<2>(root, unit, file.contacts, DriveKind::each);
   check_grasp<2>(root, file);
   return file;
 }
@@ -343,6 +385,9 @@ SpatialFile read_spatial(const Field& root) {
     close_gripper(root, *gripper, unit, file);
   else
     read_contacts<3>(root, unit, file);
+  const bool is_jaw = file.gripper && std::holds_alternative<ParallelJaw>(*file.gripper);
+  file.mechanism = read_mechanism<3>(root, unit, file.contacts,
+                                     is_jaw ? DriveKind::coupled : DriveKind::each);
   check_grasp<3>(root, file);
   return file;
 }

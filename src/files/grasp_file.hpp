@@ -23,11 +23,13 @@ struct CommonFile {
   std::optional<ShapeOf<Dim>> shape{};
   std::vector<Load<Dim>> loads{};  ///< one; in space as many as the file has scenarios
   std::vector<Contact<Dim>> contacts{};
+  Mechanism<Dim> mechanism{};
+  Objective objective{Objective::effort};
   /// What is allowed but looks like a mistake: whole lines, "FILE:LINE:COLUMN: path: words".
   std::vector<std::string> warnings{};
 
   /// @throws InvalidGrasp
-  Grasp<Dim> grasp() const { return {loads, contacts, safety}; }
+  Grasp<Dim> grasp() const { return {loads, contacts, safety, mechanism}; }
 };
 
 /// dimension: 2

@@ -33,7 +33,48 @@ Json head(const CommonFile<Dim>& file) {
   Json result = {{"poise", 1}, {"dimension", Dim}};
   if (!file.name.empty()) result["name"] = file.name;
   if (file.safety != 1) result["safety"] = file.safety;
+  if (file.objective != CommonFile<Dim>{}.objective) result["objective"] = to_string(file.objective);
   return result;
+}
+
+template <int Dim>
+Json drive_value(const Drive<Dim>& drive) {
+  Json value = {{"name", drive.name}, {"moves", Json::array()}};
+  for (const auto& moved : drive.moves) value["moves"].push_back(moved.finger);
+  const Twist<Dim>& twist = drive.moves.front().twist;
+  if (!drive.turns) {
+    value["along"] = json_value(Vector<Dim>(twist.template head<Dim>()));
+  } else {
+    // The point of the axis that is nearest to the origin: omega x v.
+    Vector<3> omega = Vector<3>::UnitZ(), v = Vector<3>::Zero();
+    v.template head<Dim>() = twist.template head<Dim>();
+    if constexpr (Dim == 2)
+      omega *= twist[2];
+    else
+      omega = twist.template tail<3>();
+    const Vector<Dim> through = omega.cross(v).template head<Dim>();
+    value["about"] = {{"axis", json_value(omega)}, {"through", json_value(through)}};
+  }
+  if (std::isfinite(drive.max)) value["max"] = drive.max;
+  return value;
+}
+
+/// What is not as it is anyway.
+template <int Dim>
+void add_mechanism(Json& result, const Mechanism<Dim>& mechanism, DriveKind otherwise) {
+  if (mechanism.kind == DriveKind::listed) {
+    result["drives"] = Json::array();
+    for (const Drive<Dim>& drive : mechanism.drives)
+      result["drives"].push_back(drive_value(drive));
+  } else if (mechanism.kind != otherwise) {
+    result["drives"] = to_string(mechanism.kind);
+  }
+  for (const Finger<Dim>& finger : mechanism.fingers) {
+    Json value = Json::object();
+    if (finger.closing.cwiseAbs().maxCoeff() > 0) value["closing"] = json_value(finger.closing);
+    if (std::isfinite(finger.max_force)) value["max_force"] = finger.max_force;
+    result["fingers"][finger.name] = std::move(value);
+  }
 }
 
 template <int Dim>
@@ -125,6 +166,8 @@ std::string grasp_document(const SpatialFile& file, WriteAs as, const std::strin
     result["gripper"] = std::visit([](const auto& g) { return gripper_value(g); }, *file.gripper);
   else
     result["contacts"] = contact_values(file.contacts);
+  const bool is_jaw = result.contains("gripper") && std::holds_alternative<ParallelJaw>(*file.gripper);
+  add_mechanism(result, file.mechanism, is_jaw ? DriveKind::coupled : DriveKind::each);
   return json_text(result);
 }
 
@@ -141,6 +184,7 @@ std::string grasp_document(const PlanarFile& file) {
   result["object"] = load_value(file.loads.front());
   if (file.shape) result["object"]["shape"] = shape_value(*file.shape);
   result["contacts"] = contact_values(file.contacts);
+  add_mechanism(result, file.mechanism, DriveKind::each);
   return json_text(result);
 }
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "poise/wrench.hpp"
+#include "poise/contact.hpp"
 
 namespace poise {
 
@@ -21,6 +21,17 @@ Json json_value(const Eigen::Matrix<double, Size, 1>& numbers) {
   Json result = Json::array();
   for (const double number : numbers) result.push_back(json_value(number));
   return result;
+}
+
+/// null where there is none.
+inline Json json_value(const std::optional<Pad>& pad) {
+  if (!pad) return {};
+  Json points = Json::array();
+  for (const Vector<3>& point : pad->points) points.push_back(json_value(point));
+  return {{"points", std::move(points)},
+          {"shares", pad->shares},
+          {"axis", json_value(pad->axis)},
+          {"reach", json_value(pad->reach)}};
 }
 
 }  // namespace poise

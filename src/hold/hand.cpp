@@ -60,6 +60,36 @@ template <int Dim>
   if (!std::isfinite(value.squaredNorm())) refuse<Dim>(value, place);
 }
 
+/// A mean of unit normals below this length points nowhere.
+constexpr double least_mean_normal = 0.1;
+
+void check(const Pad& pad, std::size_t i) {
+  const auto path = [&](const std::string& field) {
+    return "contacts[" + std::to_string(i) + "].pad." + field;
+  };
+  if (pad.points.empty()) throw InvalidGrasp(path("points"), "is empty, must hold a point");
+  if (pad.shares.size() != pad.points.size())
+    throw InvalidGrasp(path("shares"), "has " + std::to_string(pad.shares.size()) +
+                                           " numbers, must have one for each of the " +
+                                           std::to_string(pad.points.size()) + " points");
+  double sum = 0;
+  for (std::size_t k = 0; k < pad.points.size(); ++k) {
+    const std::string which = "[" + std::to_string(k) + "]";
+    if (!std::isfinite(pad.points[k].squaredNorm()))
+      throw InvalidGrasp(path("points") + which, "must be finite");
+    if (!(pad.shares[k] > 0 && pad.shares[k] <= 1))
+      throw InvalidGrasp(path("shares") + which,
+                         "is " + text(pad.shares[k]) + ", must be above 0 and at most 1");
+    sum += pad.shares[k];
+  }
+  if (!(std::abs(sum - 1) <= 1e-6))
+    throw InvalidGrasp(path("shares"), "add up to " + text(sum) + ", must add up to 1");
+  if (!std::isfinite(pad.axis.squaredNorm()) || !(pad.axis.cwiseAbs().maxCoeff() > 0))
+    throw InvalidGrasp(path("axis"), "must be a direction");
+  if (!(pad.reach.minCoeff() >= 0) || !std::isfinite(pad.reach.squaredNorm()))
+    throw InvalidGrasp(path("reach"), "must be lengths of at least 0");
+}
+
 template <int Dim>
 void check(const Contact<Dim>& contact, std::size_t i) {
   check<Dim>(contact.position, {"position", i});
@@ -86,6 +116,12 @@ void check(const Contact<Dim>& contact, std::size_t i) {
   // The solver divides by it.
   check(torsion > 0 ? contact.friction / torsion : 0, true, {"torsion", i},
         "less small against the friction");
+  if (!contact.pad) return;
+  if (Dim == 2)
+    throw InvalidGrasp(Place{"pad", i}.path(), "is for space, must be two contacts in the plane");
+  check(*contact.pad, i);
+  check(torsion, torsion == 0, {"torsion", i}, "0 for a pad, whose points resist the twist");
+  check(contact.share, contact.share == 1, {"share", i}, "1 for a pad");
 }
 
 /// Of a normal whose length is above 0, whatever its size.
@@ -94,6 +130,25 @@ Vector<Dim> unit(const Vector<Dim>& normal) {
   const double squared = normal.squaredNorm();
   const bool plain = squared > 1e-200 && squared < 1e200;
   return plain ? Vector<Dim>(normal / std::sqrt(squared)) : Vector<Dim>(normal.stableNormalized());
+}
+
+/// Puts a pad into the plane across the normal, with an axis of length 1 and shares that add up to 1.
+/// The distance of its farthest point from the center.
+double settle(Pad& pad, const Contact<3>& contact, const Vector<3>& center) {
+  const Vector<3>& n = contact.normal;
+  pad.axis = unit<3>(pad.axis);
+  pad.axis -= n.dot(pad.axis) * n;
+  if (!(pad.axis.norm() > 1e-6))
+    throw InvalidGrasp("pad.axis", "is along the normal, must be in the pad's plane");
+  pad.axis.normalize();
+  double sum = 0, farthest = 0;
+  for (const double share : pad.shares) sum += share;
+  for (double& share : pad.shares) share /= sum;
+  for (Vector<3>& point : pad.points) {
+    point -= n.dot(point) * n;
+    farthest = std::max(farthest, (contact.position + point - center).norm());
+  }
+  return farthest;
 }
 
 template <int Dim>
@@ -136,9 +191,25 @@ Eigen::Matrix<double, 3, 2> tangents(const Vector<3>& n) {
   return t;
 }
 
+Pad rectangular_pad(const Vector<2>& size, const Vector<3>& axis, const Vector<3>& normal,
+                    int grid) {
+  const Vector<3> n = normal.normalized();
+  const Vector<3> a = (axis - n.dot(axis) * n).normalized(), b = n.cross(a);
+  Pad pad{.axis = a, .reach = size / 2};
+  const double share = 1.0 / (grid * grid);
+  for (int j = 0; j < grid; ++j)
+    for (int i = 0; i < grid; ++i) {
+      const double x = (i + 0.5) / grid - 0.5, y = (j + 0.5) / grid - 0.5;
+      pad.points.emplace_back(x * size.x() * a + y * size.y() * b);
+      pad.shares.push_back(share);
+    }
+  return pad;
+}
+
 template <int Dim>
-Hand<Dim>::Hand(std::vector<Contact<Dim>> contacts, const Vector<Dim>& center, double safety)
-    : contacts_(std::move(contacts)), center_(center) {
+Hand<Dim>::Hand(std::vector<Contact<Dim>> contacts, const Vector<Dim>& center, double safety,
+                Mechanism<Dim> mechanism)
+    : contacts_(std::move(contacts)), center_(center), mechanism_(std::move(mechanism)) {
   check<Dim>(center, {"center"});
   check(safety, safety >= 1, {"safety"}, "at least 1");
   if (contacts_.empty()) throw InvalidGrasp("contacts", "is empty, must hold at least one contact");
@@ -151,7 +222,9 @@ Hand<Dim>::Hand(std::vector<Contact<Dim>> contacts, const Vector<Dim>& center, d
     contact.normal = unit<Dim>(contact.normal);
     contact.friction /= safety;
     contact.torsion /= safety;
-    const double distance = (contact.position - center_).norm();
+    double distance = (contact.position - center_).norm();
+    if constexpr (Dim == 3)
+      if (contact.pad) distance = std::max(distance, settle(*contact.pad, contact, center_));
     if (!std::isfinite(distance))
       throw InvalidGrasp(Place{"position", i}.path(), "is too far from the centre of mass");
     radius_ = std::max(radius_, distance);
@@ -167,7 +240,83 @@ Hand<Dim>::Hand(std::vector<Contact<Dim>> contacts, const Vector<Dim>& center, d
     check(contacts_[i].torsion,
           contacts_[i].torsion <= 1e12 * contacts_[i].friction * (radius_ > 0 ? radius_ : 1),
           {"torsion", i}, "at most 1e12 times friction times the size of the grasp");
+  check_mechanism();
   scaled_ = std::make_shared<const Scaled>(contacts_, center_, radius_);
+}
+
+template <int Dim>
+void Hand<Dim>::check_mechanism() {
+  for (const Contact<Dim>& contact : contacts_) is_general_ = is_general_ || contact.pad;
+  const auto check_finger = [&](const std::string& name, const std::string& path) {
+    if (std::find(fingers_.begin(), fingers_.end(), name) == fingers_.end())
+      throw InvalidGrasp(path, "is \"" + name + "\", must be the finger of a contact");
+  };
+  const auto check_limit = [&](double most, const std::string& path) {
+    if (!(most > 0)) throw InvalidGrasp(path, "is " + text(most) + ", must be above 0");
+    is_general_ = is_general_ || std::isfinite(most);
+  };
+  for (const Finger<Dim>& finger : mechanism_.fingers) {
+    const std::string path = "fingers." + finger.name;
+    check_finger(finger.name, path);
+    if (!std::isfinite(finger.closing.squaredNorm()))
+      throw InvalidGrasp(path + ".closing", "must be finite");
+    if (mechanism_.kind == DriveKind::listed && std::isfinite(finger.max_force))
+      throw InvalidGrasp(path + ".max_force", "is given as well as a list of drives, must be `max` "
+                                              "of a drive");
+    check_limit(finger.max_force, path + ".max_force");
+  }
+  if (mechanism_.kind != DriveKind::listed) return;
+  if (mechanism_.drives.empty())
+    throw InvalidGrasp("drives", "is empty, must hold at least one drive");
+  for (std::size_t a = 0; a < mechanism_.drives.size(); ++a) {
+    const std::string path = "drives[" + std::to_string(a) + "]";
+    const Drive<Dim>& drive = mechanism_.drives[a];
+    check_limit(drive.max, path + ".max");
+    if (drive.moves.empty()) throw InvalidGrasp(path + ".moves", "is empty, must name a finger");
+    for (const auto& moved : drive.moves) {
+      check_finger(moved.finger, path + ".moves");
+      if (!std::isfinite(moved.twist.squaredNorm())) throw InvalidGrasp(path, "must be finite");
+    }
+  }
+}
+
+template <int Dim>
+Vector<Dim> Hand<Dim>::closing(std::size_t finger) const {
+  for (const Finger<Dim>& given : mechanism_.fingers)
+    if (given.name == fingers_[finger] && given.closing.cwiseAbs().maxCoeff() > 0)
+      return unit<Dim>(given.closing);
+  Vector<Dim> sum = Vector<Dim>::Zero();
+  double shares = 0;
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    if (finger_of_[i] != finger) continue;
+    sum += contacts_[i].share * contacts_[i].normal;
+    shares += contacts_[i].share;
+  }
+  if (!(sum.norm() >= least_mean_normal * shares)) return Vector<Dim>::Zero();
+  return sum.normalized();
+}
+
+template <int Dim>
+std::vector<Drive<Dim>> Hand<Dim>::drives() const {
+  if (mechanism_.kind == DriveKind::listed) return mechanism_.drives;
+  const bool coupled = mechanism_.kind == DriveKind::coupled;
+  std::vector<Drive<Dim>> drives;
+  for (std::size_t k = 0; k < fingers_.size(); ++k) {
+    if (k == 0 || !coupled) drives.push_back({coupled ? "all" : fingers_[k], {}});
+    Drive<Dim>& drive = drives.back();
+    typename Drive<Dim>::Moved moved{fingers_[k], Twist<Dim>::Zero()};
+    moved.twist.template head<Dim>() =
+        closing(k) / (coupled ? static_cast<double>(fingers_.size()) : 1);
+    drive.moves.push_back(std::move(moved));
+    for (const Finger<Dim>& given : mechanism_.fingers)
+      if (given.name == fingers_[k]) drive.max = std::min(drive.max, given.max_force);
+  }
+  return drives;
+}
+
+const char* to_string(DriveKind kind) {
+  constexpr const char* names[] = {"each", "coupled", "listed"};
+  return names[static_cast<int>(kind)];
 }
 
 template <int Dim>
@@ -183,14 +332,17 @@ Wrench<Dim> Load<Dim>::at(const Vector<Dim>& up) const {
 
 template <int Dim>
 template <std::same_as<std::vector<Load<Dim>>> Loads>
-Grasp<Dim>::Grasp(Loads loads, std::vector<Contact<Dim>> contacts, double safety)
-    : Hand<Dim>(std::move(contacts), checked(loads).front().com, safety), loads_(std::move(loads)) {
+Grasp<Dim>::Grasp(Loads loads, std::vector<Contact<Dim>> contacts, double safety,
+                  Mechanism<Dim> mechanism)
+    : Hand<Dim>(std::move(contacts), checked(loads).front().com, safety, std::move(mechanism)),
+      loads_(std::move(loads)) {
   for (const Load<Dim>& load : loads_) weight_ = std::max(weight_, load.weight);
 }
 
 template <int Dim>
-Grasp<Dim>::Grasp(const Load<Dim>& load, std::vector<Contact<Dim>> contacts, double safety)
-    : Grasp(std::vector<Load<Dim>>{load}, std::move(contacts), safety) {}
+Grasp<Dim>::Grasp(const Load<Dim>& load, std::vector<Contact<Dim>> contacts, double safety,
+                  Mechanism<Dim> mechanism)
+    : Grasp(std::vector<Load<Dim>>{load}, std::move(contacts), safety, std::move(mechanism)) {}
 
 template <int Dim>
 Eigen::Matrix<double, wrench_size<Dim>, Eigen::Dynamic> grasp_matrix(const Hand<Dim>& hand) {
@@ -209,8 +361,8 @@ template struct Load<2>;
 template struct Load<3>;
 template class Grasp<2>;
 template class Grasp<3>;
-template Grasp<2>::Grasp(std::vector<Load<2>>, std::vector<Contact<2>>, double);
-template Grasp<3>::Grasp(std::vector<Load<3>>, std::vector<Contact<3>>, double);
+template Grasp<2>::Grasp(std::vector<Load<2>>, std::vector<Contact<2>>, double, Mechanism<2>);
+template Grasp<3>::Grasp(std::vector<Load<3>>, std::vector<Contact<3>>, double, Mechanism<3>);
 template Eigen::Matrix<double, 3, Eigen::Dynamic> grasp_matrix<2>(const Hand<2>&);
 template Eigen::Matrix<double, 6, Eigen::Dynamic> grasp_matrix<3>(const Hand<3>&);
 

@@ -48,6 +48,7 @@ Hold<Dim> hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight, co
   if (!load.allFinite() || !y.allFinite())
     throw InvalidGrasp("load", "must be finite, like the twist to start at");
   if (!(weight > 0)) throw InvalidGrasp("weight", "must be above 0");
+  if (hand.is_general()) return general_hold(hand, 1, load, weight, settings);
   const dual::Problem<Dim> problem(hand.scaled(), weight);
   const Wrench<Dim> w = scaled_wrench(problem.hand, weight, load);
   bool cold = false;
@@ -59,6 +60,7 @@ Hold<Dim> hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight, co
 
 template <int Dim>
 double phi(const Hand<Dim>& hand, const Twist<Dim>& y) {
+  if (hand.is_general()) return static_cast<double>(dual::phi<Dim>(hand, y));
   const dual::Problem<Dim> problem(hand.scaled(), 1);  // in newtons
   dual::Point<Dim> point(problem.size);
   dual::evaluate<Dim, double>(problem, Wrench<Dim>::Zero(), about_center(problem.hand, 1, y), point);
@@ -87,6 +89,8 @@ std::vector<FingerForce<Dim>> finger_forces(const Hand<Dim>& hand, const Hold<Di
     finger.normal += hold.forces[i].normal;
     finger.force += force_vector(hand.contacts()[i], hold.forces[i]);
   }
+  for (std::size_t k = 0; k < fingers.size(); ++k)
+    fingers[k].pressing = fingers[k].force.dot(hand.closing(k));
   return fingers;
 }
 
@@ -109,6 +113,7 @@ bool all_loaded(const Hand<Dim>& hand, const Hold<Dim>& hold, double weight) {
 std::string reason(const Hand<2>& hand, const Hold<2>& hold) {
   if (hold.holdable) return {};
   if (!hold.proven) return unproven;
+  if (const std::string weak = weak_drives(hand, hold); !weak.empty()) return weak;
   // -y is a motion that gravity drives; about the center, in radii, to tell a turn from a slide.
   const ScaledHand<2>& scaled = hand.scaled();
   const Twist<2> y = about_center(scaled, 1, hold.dual), motion = -y;

@@ -21,6 +21,7 @@ std::string text(const Vector<3>& v) {
 std::string reason(const Hand<3>& hand, const Hold<3>& hold) {
   if (hold.holdable) return {};
   if (!hold.proven) return unproven;
+  if (const std::string weak = weak_drives(hand, hold); !weak.empty()) return weak;
   const ScaledHand<3>& scaled = hand.scaled();
   const auto& contacts = hand.contacts();
   // -y is a motion that gravity drives; about the center, in radii, to tell a turn from a slide.

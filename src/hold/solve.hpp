@@ -11,6 +11,7 @@
 #include "dual/dual.hpp"
 #include "dual/exact.hpp"
 #include "dual/twist.hpp"
+#include "hold/cone_hand.hpp"
 #include "poise/hold.hpp"
 
 namespace poise {
@@ -76,6 +77,21 @@ std::string opposition(const Hand<Dim>& hand, const Twist<Dim>& y, const Hold<Di
                   : ", and no contact opposes it";
 }
 
+/// Where drives are too weak, the one that has most to do with it.
+template <int Dim>
+std::string weak_drives(const Hand<Dim>& hand, const Hold<Dim>& hold) {
+  const std::vector<Drive<Dim>> drives = hand.drives();
+  std::size_t most = drives.size();
+  for (std::size_t a = 0; a < hold.rates.size(); ++a)
+    if (hold.rates[a] > 0 && (most == drives.size() || hold.rates[a] > hold.rates[most])) most = a;
+  if (most == drives.size() || hold.rates[most] < 1e-9 * hold.dual.cwiseAbs().maxCoeff()) return {};
+  std::ostringstream words;
+  words.precision(4);
+  words << "the fingers would need more than their drives give: " << drives[most].name << " gives "
+        << drives[most].max << (drives[most].turns ? " N m" : " N") << " at most";
+  return words.str();
+}
+
 inline constexpr const char* unproven =
     "it is within rounding of the limit of holding, where neither forces nor a proof that there "
     "are none were found";
@@ -104,15 +120,24 @@ inline void write_forces(const dual::Problem<3>& problem, const ContactLane<3>& 
   for (std::size_t k = 0; k < count; ++k)
     forces[k] = {normal[k], {tangential[0][k], tangential[1][k], tangential[2][k]},
                  moment[k], states.friction_used[k],
-                 states[k], ForceLimit::none};
+                 states[k], ForceLimit::none,
+                 Vector<3>::Zero()};
+}
+
+inline void check(const HoldSettings& settings) {
+  if (!(settings.force_cap > 0) || !(settings.force_cap <= 1e9))
+    throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
+}
+template <int Dim>
+void check_up(const Vector<Dim>& up) {
+  if (!(std::abs(up.squaredNorm() - 1) <= 1e-6)) throw InvalidGrasp("up", "must be a unit vector");
 }
 
 /// The hold of a load in the solver's units.
 template <int Dim>
 Hold<Dim> solve(const dual::Problem<Dim>& problem, const Wrench<Dim>& w, const Twist<Dim>& start,
                 const HoldSettings& settings) {
-  if (!(settings.force_cap > 0) || !(settings.force_cap <= 1e9))
-    throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
+  check(settings);
   dual::Point<Dim> point(problem.size);
   Hold<Dim> hold;
   hold.holdable = dual::maximise(problem, w, start, settings.force_cap, point);
@@ -155,7 +180,9 @@ inline constexpr double long_y = 1e4;
 template <int Dim>
 Hold<Dim> solve(const Hand<Dim>& hand, const ScaledHand<Dim>& contacts, double friction_factor,
                 const Load<Dim>& load, const Vector<Dim>& up, const HoldSettings& settings) {
-  if (!(std::abs(up.squaredNorm() - 1) <= 1e-6)) throw InvalidGrasp("up", "must be a unit vector");
+  check_up<Dim>(up);
+  if (hand.is_general())
+    return general_hold(hand, friction_factor, load.at(up), load.weight, settings);
   const dual::Problem<Dim> problem(contacts, load.weight);
   const Wrench<Dim> w = scaled_load<Dim>(problem.hand, problem.weight, load, up);
   Hold<Dim> hold = solve(problem, w, dual::cold_start(problem, w), settings);

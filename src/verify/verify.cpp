@@ -10,6 +10,7 @@ namespace poise::verify {
 namespace {
 
 Real distance(double a, double b) { return difference(a, b); }
+Real distance(const std::optional<Pad>& a, const std::optional<Pad>& b) { return a == b ? 0 : 1; }
 Real distance(const std::string& a, const std::string& b) { return a == b ? 0 : 1; }
 template <int Dim>
 Real distance(const Eigen::Matrix<double, Dim, 1>& a, const Eigen::Matrix<double, Dim, 1>& b) {

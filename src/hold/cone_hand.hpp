@@ -1,0 +1,30 @@
+// A hand as the interior-point method sees it, and its answers in newtons. Not installed.
+#pragma once
+
+#include "dual/interior.hpp"
+#include "dual/scaled_hand.hpp"
+#include "poise/grip.hpp"
+
+namespace poise {
+
+/// Forces in weights W, lengths in radii L, moments about the hand's center.
+/// @param friction_factor  multiplies all frictions and torsions
+template <int Dim>
+dual::ConeHand<Dim> cone_hand(const Hand<Dim>& hand, double weight, dual::Wanted wanted,
+                              double friction_factor = 1);
+
+/// What a unit of the scaled grip is in grip_unit(): W, W L or 1.
+template <int Dim>
+double scaled_grip(const Hand<Dim>& hand, double weight);
+
+/// The forces of what was found, with their states, residual and effort.
+template <int Dim>
+void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Dim>& cones,
+                   const dual::Balance<Dim>& balance, Hold<Dim>& hold);
+
+/// The hold of least effort of a hand that is_general().
+template <int Dim>
+Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wrench<Dim>& load,
+                       double weight, const HoldSettings& settings);
+
+}  // namespace poise

@@ -1,0 +1,209 @@
+#include "poise/grip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dual/exact.hpp"
+#include "dual/twist.hpp"
+#include "hold/cone_hand.hpp"
+#include "hold/solve.hpp"
+
+namespace poise {
+namespace {
+
+/// The forces shown may need so much more of the grip than the least: room for the least effort.
+constexpr double room = 1e-9;
+/// Of forces that are as good as balanced, and of a value as good as proven.
+constexpr double most_error = 1e-6;
+
+/// Those of the fingers, about the object frame's origin [N, N m].
+template <int Dim>
+std::vector<Wrench<Dim>> finger_wrenches(const Hand<Dim>& hand, const Hold<Dim>& hold) {
+  std::vector<Wrench<Dim>> wrenches(hand.fingers().size(), Wrench<Dim>::Zero());
+  for (std::size_t i = 0; i < hold.forces.size(); ++i) {
+    const Contact<Dim>& contact = hand.contacts()[i];
+    const ContactForce<Dim>& force = hold.forces[i];
+    const Vector<Dim> f = force_vector(contact, force), r = contact.position;
+    Wrench<Dim>& wrench = wrenches[hand.finger_of(i)];
+    wrench.template head<Dim>() += f;
+    if constexpr (Dim == 2) {
+      wrench[2] += r.x() * f.y() - r.y() * f.x();
+    } else {
+      wrench.template tail<3>() += r.cross(f) + force.torsion_moment * contact.normal +
+                                   force.center_of_pressure.cross(force.normal * contact.normal);
+    }
+  }
+  return wrenches;
+}
+
+/// Of the drives of a hand, the efforts [N, N m] of the wrenches of its fingers.
+template <int Dim>
+double effort_of(const Hand<Dim>& hand, const Drive<Dim>& drive,
+                 const std::vector<Wrench<Dim>>& wrenches) {
+  double effort = 0;
+  for (const auto& moved : drive.moves)
+    for (std::size_t k = 0; k < wrenches.size(); ++k)
+      if (hand.fingers()[k] == moved.finger) effort += moved.twist.dot(wrenches[k]);
+  return effort;
+}
+
+/// Whether it can be held at all, where the grip's search ended without an answer to all digits.
+template <int Dim>
+Hold<Dim> unlimited_hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight,
+                         const dual::Balance<Dim>& ended, const HoldSettings& settings) {
+  if (!hand.is_general())
+    return hold<Dim>(hand, load, weight, Twist<Dim>(Twist<Dim>::Zero()), settings);
+  Hold<Dim> none;
+  none.holdable = ended.state == dual::Balance<Dim>::State::open && ended.error < most_error;
+  const double cap = settings.force_cap * weight;
+  none.dual = about_origin(hand.scaled(), 1, ended.y);
+  const double gain = none.dual.dot(load);
+  none.dual *= gain > 0 ? cap * cap / gain : 1;
+  none.lower_bound = std::min(
+      static_cast<double>(dual::effort_bound<Dim>(hand, load, none.dual, {}, 1)),
+      std::numeric_limits<double>::max());
+  none.proven = none.lower_bound > cap * cap;
+  return none;
+}
+
+}  // namespace
+
+const char* to_string(GripUnit unit) {
+  constexpr const char* names[] = {"N", "N m", "of max"};
+  return names[static_cast<int>(unit)];
+}
+
+const char* to_string(Objective objective) {
+  constexpr const char* names[] = {"grip", "effort"};
+  return names[static_cast<int>(objective)];
+}
+
+template <int Dim>
+GripUnit grip_unit(const Hand<Dim>& hand) {
+  const std::vector<Drive<Dim>> drives = hand.drives();
+  if (hand.mechanism().kind != DriveKind::listed)
+    for (std::size_t k = 0; k < hand.fingers().size(); ++k)
+      if (hand.closing(k).isZero(0))
+        throw InvalidGrasp("fingers." + hand.fingers()[k] + ".closing",
+                           "must be given: the normals of its contacts cancel each other");
+  bool one_kind = true, one_max = true, limited = true;
+  for (const Drive<Dim>& drive : drives) {
+    one_kind = one_kind && drive.turns == drives.front().turns;
+    one_max = one_max && drive.max == drives.front().max;
+    limited = limited && std::isfinite(drive.max);
+  }
+  if (one_kind && one_max)
+    return drives.front().turns ? GripUnit::newton_metre : GripUnit::newton;
+  if (!limited)
+    throw InvalidGrasp("drives", one_kind ? "have different max, then each must have one"
+                                          : "push and turn, then each must have a max");
+  return GripUnit::part_of_max;
+}
+
+template <int Dim>
+double most_grip(const Hand<Dim>& hand) {
+  return grip_unit(hand) == GripUnit::part_of_max ? 1 : hand.drives().front().max;
+}
+
+template <int Dim>
+std::vector<DriveEffort> drive_efforts(const Hand<Dim>& hand, const Hold<Dim>& hold) {
+  std::vector<DriveEffort> efforts;
+  if (!hold.holdable) return efforts;
+  const std::vector<Wrench<Dim>> wrenches = finger_wrenches(hand, hold);
+  for (const Drive<Dim>& drive : hand.drives()) {
+    const double effort = effort_of(hand, drive, wrenches);
+    efforts.push_back({effort, std::isfinite(drive.max) ? effort / drive.max : 0});
+  }
+  return efforts;
+}
+
+template <int Dim>
+double grip(const Hand<Dim>& hand, const Hold<Dim>& hold) {
+  const bool in_parts = grip_unit(hand) == GripUnit::part_of_max;
+  double most = 0;
+  for (const DriveEffort& drive : drive_efforts(hand, hold))
+    most = std::max(most, in_parts ? drive.part_of_max : drive.effort);
+  return most;
+}
+
+template <int Dim>
+double grip_bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Dim>& y,
+                  const SmallVector<double, 4>& rates, double force_norm) {
+  return static_cast<double>(dual::grip_bound<Dim>(
+      hand, load, y, rates, grip_unit(hand) == GripUnit::part_of_max, force_norm));
+}
+
+template <int Dim>
+Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight,
+                     const HoldSettings& settings) {
+  check(settings);
+  if (!load.allFinite()) throw InvalidGrasp("load", "must be finite");
+  if (!(weight > 0)) throw InvalidGrasp("weight", "must be above 0");
+  using State = typename dual::Balance<Dim>::State;
+  const double unit = scaled_grip(hand, weight), cap = settings.force_cap * weight;
+  const ScaledHand<Dim>& scaled = hand.scaled();
+  const Wrench<Dim> w = scaled_wrench(scaled, weight, load);
+  dual::ConeHand<Dim> cones = cone_hand(hand, weight, dual::Wanted::grip);
+  const dual::Balance<Dim> least = dual::balance(cones, w, dual::Wanted::grip);
+  if (least.state != State::held) {
+    Hold<Dim> hold = unlimited_hold(hand, load, weight, least, settings);
+    if (!hold.holdable) return hold;
+  }
+
+  // Of the forces of this grip those of least effort.
+  dual::Balance<Dim> forces = least;
+  for (dual::ConeDrive<Dim>& drive : cones.drives) drive.max = least.value * (1 + room) + 1e-12;
+  if (dual::Balance<Dim> found = dual::balance(cones, w, dual::Wanted::effort);
+      found.state == State::held)
+    forces = std::move(found);
+  Hold<Dim> hold;
+  hold.holdable = true;
+  write_balance(hand, weight, cones, forces, hold);
+
+  hold.objective = Objective::grip;
+  double sum = 0;
+  for (const double rate : least.rates) sum += rate;
+  hold.rates.resize(least.rates.size());
+  for (std::size_t a = 0; a < least.rates.size(); ++a) hold.rates[a] = least.rates[a] / sum;
+  hold.dual = about_origin(scaled, unit / weight / sum, least.y);
+  hold.lower_bound = std::clamp(grip_bound(hand, load, hold.dual, hold.rates, cap), 0.0,
+                                grip(hand, hold));
+  return hold;
+}
+
+template <int Dim>
+Hold<Dim> least_grip(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
+                     const HoldSettings& settings) {
+  check_up<Dim>(up);
+  return least_grip(hand, load.at(up), load.weight, settings);
+}
+
+template <int Dim>
+Hold<Dim> least_grip(const Grasp<Dim>& grasp, const Vector<Dim>& up,
+                     const HoldSettings& settings) {
+  Hold<Dim> most = least_grip(grasp, grasp.loads().front(), up, settings);
+  for (std::size_t k = 1; k < grasp.loads().size() && most.holdable; ++k) {
+    Hold<Dim> other = least_grip(grasp, grasp.loads()[k], up, settings);
+    if (!other.holdable || grip(grasp, other) > grip(grasp, most)) most = std::move(other);
+  }
+  return most;
+}
+
+#define POISE_INSTANTIATE(Dim)                                                                    \
+  template GripUnit grip_unit(const Hand<Dim>&);                                                  \
+  template double most_grip(const Hand<Dim>&);                                                    \
+  template std::vector<DriveEffort> drive_efforts(const Hand<Dim>&, const Hold<Dim>&);            \
+  template double grip(const Hand<Dim>&, const Hold<Dim>&);                                       \
+  template double grip_bound(const Hand<Dim>&, const Wrench<Dim>&, const Twist<Dim>&,             \
+                             const SmallVector<double, 4>&, double);                              \
+  template Hold<Dim> least_grip(const Hand<Dim>&, const Wrench<Dim>&, double,                     \
+                                const HoldSettings&);                                             \
+  template Hold<Dim> least_grip(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,           \
+                                const HoldSettings&);                                             \
+  template Hold<Dim> least_grip(const Grasp<Dim>&, const Vector<Dim>&, const HoldSettings&);
+POISE_INSTANTIATE(2)
+POISE_INSTANTIATE(3)
+#undef POISE_INSTANTIATE
+
+}  // namespace poise
