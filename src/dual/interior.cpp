@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <cstdlib>
+#include <cstdio>
 
 namespace poise::dual {
 namespace {
@@ -12,6 +14,12 @@ constexpr int most_steps = 80;
 /// Of the balance in the load, of the rates in y, of the gap in the value: what is asked for, and
 /// what is enough where rounding ends the way.
 constexpr double wanted_error = 1e-13, enough = 1e-8;
+/// An error from which on it is over as soon as a step makes it no better, and how many such steps
+/// there may be before.
+constexpr double good = 1e-10;
+constexpr int patience = 8;  // steps
+/// What may be missing of a step's balance, of the load.
+constexpr double small_residual = 1e-14;
 /// Shorter steps lead nowhere.
 constexpr double shortest_step = 1e-7;
 /// A pivot is known to within rounding of its own diagonal entry.
@@ -102,10 +110,9 @@ struct Cone {
   /// The least t > 0 with x + t dx on the border.
   static double way(const Spin<D>& x, const Spin<D>& dx) {
     const double a = dx.square(), b = x.head * dx.head - x.tail.dot(dx.tail), c = x.square();
-    const double root = b * b - a * c;
-    if ((a >= 0 && (b >= 0 || root <= 0)) || root < 0) return infinity;
-    const double t = c / (std::sqrt(root) - b);
-    return t > 0 ? t : infinity;
+    // Whoever goes back in a timelike direction meets the border: the root is real.
+    if (a >= 0 && b >= 0) return infinity;
+    return c / (std::sqrt(std::max(b * b - a * c, 0.0)) - b);
   }
   double way() const { return std::min(way(s, ds), way(u, du)); }
   void go(double length) {
@@ -210,10 +217,11 @@ class Interior {
   void aim_at(double center, bool corrected);
   void solve(Side& side, double damping, bool of_tau);
   void follow(Side& side, const Eigen::VectorXd& x) const;
-  void refine(double damping);
+  double refine(double damping);
   void step(double damping, double aim_of_tau, bool last);
   double way() const;
   void go(double length);
+  void settle(Balance<Dim>& best) const;
   template <class Function>
   void for_each_ray(const Function& f) {
     for (Body& body : bodies_) {
@@ -492,9 +500,9 @@ void Interior<Dim>::follow(Side& side, const Eigen::VectorXd& x) const {
 }
 
 /// Near the border of a cone forces along it are nearly free, and rounding of y is felt in them:
-/// what is missing of the balance is solved for once more.
+/// what is missing of the balance is solved for once more. How much it was.
 template <int Dim>
-void Interior<Dim>::refine(double damping) {
+double Interior<Dim>::refine(double damping) {
   std::fill(wrench_.begin(), wrench_.end(), Wrench<Dim>::Zero());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const ConeContact<Dim>& contact = *bodies_[i].data;
@@ -517,9 +525,11 @@ void Interior<Dim>::refine(double damping) {
     x[drive_row(a)] = missing;
   }
   if (for_grip_) x[x.size() - 1] = 0;
+  const double missing = x.template head<rows>().template lpNorm<Eigen::Infinity>();
   factors_.solve(x);
   follow(constant_, x);
   constant_.x += x;
+  return missing;
 }
 
 /// `aim_of_tau`: of kappa dtau + tau dkappa.
@@ -532,7 +542,8 @@ void Interior<Dim>::step(double damping, double aim_of_tau, bool last) {
   constant_.x += dtau_ * growing_.x;
   for (std::size_t i = 0; i < bodies_.size(); ++i) constant_.N[i] += dtau_ * growing_.N[i];
   for (std::size_t k = 0; k < parts_.size(); ++k) constant_.t[k] += dtau_ * growing_.t[k];
-  if (last) refine(damping);
+  for (int round = 0; last && round < 4; ++round)
+    if (!(refine(damping) > small_residual * (tau_ + primal_error_))) break;
 
   const Twist<Dim> dy = constant_.x.template head<rows>();
   const auto rate = [&](std::size_t a) { return constant_.x[drive_row(a)]; };
@@ -586,16 +597,18 @@ Balance<Dim> Interior<Dim>::run() {
   Balance<Dim> best{};
   best.state = State::open;
   double least = infinity;
-  int step_ = 0;
+  int step_ = 0, last_better = 0;
   for (;; ++step_) {
     find_residuals();
     const double size_y = y_.template lpNorm<Eigen::Infinity>() + tau_;
     const double primal = (for_grip_ ? F_.s : square_ / 2 / tau_) / tau_;
     const double proven = for_grip_ ? dual_ / tau_ : (dual_ - square_ / 2 / tau_) / tau_;
     const double gap = std::abs(primal - proven) / std::max({primal, std::abs(proven), 1e-300});
+    if (getenv("DBG")) printf("%2d p %.2e d %.2e gap %.2e tau %.2e kap %.2e primal %.6g proven %.6g\n", step_, primal_error_/tau_, dual_error_/size_y, gap, tau_, kappa_, primal, proven);
     const double error = std::max({primal_error_ / tau_, dual_error_ / size_y, gap});
     if (error < least || step_ == 0) {
       least = error;
+      last_better = step_;
       best.value = primal;
       best.y = y_ / tau_;
       best.residual = balance_residual_ / tau_;
@@ -607,11 +620,13 @@ Balance<Dim> Interior<Dim>::run() {
       for (const Part& part : parts_) best.tangentials.push_back(part.cone.s.tail / tau_);
     }
     best.steps = step_;
-    if (error <= wanted_error) break;
+    if (error <= wanted_error || !(error < infinity) || step_ > last_better + patience) break;
+    if (least <= good && step_ > last_better) break;
     if (least > enough && dual_ > 0 && dual_error_ + square_ <= 1e-12 * dual_ &&
         tau_ < 1e-6 * kappa_) {
       best.state = State::not_held;
       best.y = y_ / dual_;
+      for (std::size_t a = 0; a < drives_.size(); ++a) best.rates[a] = drives_[a].u / dual_;
       return best;
     }
     if (step_ == most_steps) break;
@@ -638,7 +653,32 @@ Balance<Dim> Interior<Dim>::run() {
   }
   best.error = least;
   if (least <= enough) best.state = State::held;
+  settle(best);
   return best;
+}
+
+/// What rounding left of the balance, by the smallest change of forces.
+template <int Dim>
+void Interior<Dim>::settle(Balance<Dim>& best) const {
+  if (!(best.residual.template lpNorm<Eigen::Infinity>() > 1e-16)) return;
+  Factors factors(rows);
+  factors.matrix().setZero();
+  for (const ConeContact<Dim>& contact : hand_.contacts)
+    factors.matrix() += contact.normal * contact.normal.transpose();
+  for (const ConePart<Dim>& part : hand_.parts) factors.matrix() += part.G * part.G.transpose();
+  factors.factorise(rows);
+  Eigen::VectorXd y = best.residual;
+  factors.solve(y);
+  const Twist<Dim> change = y;
+  for (std::size_t i = 0; i < hand_.contacts.size(); ++i)
+    best.normals[i] += hand_.contacts[i].normal.dot(change);
+  best.residual = w_;
+  for (std::size_t i = 0; i < hand_.contacts.size(); ++i)
+    best.residual -= best.normals[i] * hand_.contacts[i].normal;
+  for (std::size_t k = 0; k < hand_.parts.size(); ++k) {
+    best.tangentials[k] += hand_.parts[k].G.transpose() * change;
+    best.residual -= hand_.parts[k].G * best.tangentials[k];
+  }
 }
 
 }  // namespace
@@ -648,6 +688,57 @@ Balance<Dim> balance(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wan
   return Interior<Dim>(hand, w, wanted).run();
 }
 
+/// The greatest power per newton of each contact, with what rounding may make of it.
+template <int Dim>
+std::vector<double> powers(const ConeHand<Dim>& hand, const Twist<Dim>& y,
+                           const std::vector<double>& rates) {
+  std::vector<Twist<Dim>> felt(hand.fingers, y);
+  double size = y.cwiseAbs().sum();
+  for (std::size_t a = 0; a < hand.drives.size(); ++a)
+    for (const auto& moved : hand.drives[a].moved) {
+      felt[moved.finger] -= rates[a] * moved.twist;
+      size += rates[a] * moved.twist.cwiseAbs().sum();
+    }
+  std::vector<double> result;
+  for (const ConeContact<Dim>& contact : hand.contacts) {
+    const Twist<Dim>& twist = felt[contact.finger];
+    double power = contact.normal.dot(twist);
+    for (std::size_t k = contact.first; k < contact.last; ++k)
+      power += hand.parts[k].reach * (hand.parts[k].G.transpose() * twist).norm();
+    result.push_back(power + rounding * size);
+  }
+  return result;
+}
+
+template <int Dim>
+GripCut<Dim> grip_cut(const ConeHand<Dim>& hand, const Balance<Dim>& found, double force_norm) {
+  GripCut<Dim> cut{found.y, found.rates, 0, 0};
+  if (found.state == Balance<Dim>::State::not_held)
+    std::fill(cut.rates.begin(), cut.rates.end(), 0.0);
+  std::vector<double> power = powers(hand, cut.y, cut.rates);
+  // Power is convex in (y, rates): rates alone, mixed in, take from it what they leave below 0.
+  const double size = std::max(cut.y.cwiseAbs().maxCoeff(), 1e-300);
+  const std::vector<double> alone(hand.drives.size(),
+                                  size / static_cast<double>(hand.drives.size()));
+  const std::vector<double> shut = powers(hand, Twist<Dim>(Twist<Dim>::Zero()), alone);
+  double part = 0;
+  for (std::size_t i = 0; i < power.size(); ++i)
+    if (power[i] > 0 && hand.contacts[i].hi == infinity && shut[i] < 0)
+      part = std::max(part, 1.01 * power[i] / -shut[i]);
+  if (part > 0 && part < 1e-3) {
+    for (std::size_t a = 0; a < cut.rates.size(); ++a) cut.rates[a] += part * alone[a];
+    power = powers(hand, cut.y, cut.rates);
+  }
+  for (const double rate : cut.rates) cut.rate_sum += rate;
+  for (std::size_t i = 0; i < power.size(); ++i) {
+    const ConeContact<Dim>& contact = hand.contacts[i];
+    cut.fixed += power[i] * (power[i] <= 0 ? contact.lo : std::min(contact.hi, force_norm));
+  }
+  return cut;
+}
+
+template GripCut<2> grip_cut(const ConeHand<2>&, const Balance<2>&, double);
+template GripCut<3> grip_cut(const ConeHand<3>&, const Balance<3>&, double);
 template Balance<2> balance(const ConeHand<2>&, const Wrench<2>&, Wanted);
 template Balance<3> balance(const ConeHand<3>&, const Wrench<3>&, Wanted);
 

@@ -89,4 +89,19 @@ struct Balance {
 template <int Dim>
 Balance<Dim> balance(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wanted);
 
+/// What (y, rates) prove of the grip: rate_sum F >= y . w - fixed, for every w. (10) of
+/// docs/theory.md.
+template <int Dim>
+struct GripCut {
+  Twist<Dim> y;
+  std::vector<double> rates;  ///< >= 0
+  double rate_sum;
+  double fixed;  ///< what contacts with limits can do
+};
+/// That of what was found, with the rates raised where rounding left a contact without a limit
+/// some power: then it proves what it says, to the last digit. `force_norm`: where no rates help,
+/// of the forces that are looked at.
+template <int Dim>
+GripCut<Dim> grip_cut(const ConeHand<Dim>& hand, const Balance<Dim>& found, double force_norm);
+
 }  // namespace poise::dual

@@ -13,9 +13,11 @@ namespace poise {
 namespace {
 
 /// The forces shown may need so much more of the grip than the least: room for the least effort.
-constexpr double room = 1e-9;
+constexpr double room = 1e-8;
 /// Of forces that are as good as balanced, and of a value as good as proven.
 constexpr double most_error = 1e-6;
+/// An imbalance [weights] that is as good as none.
+constexpr double fair = 1e-12;
 
 /// Those of the fingers, about the object frame's origin [N, N m].
 template <int Dim>
@@ -155,18 +157,17 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
   dual::Balance<Dim> forces = least;
   for (dual::ConeDrive<Dim>& drive : cones.drives) drive.max = least.value * (1 + room) + 1e-12;
   if (dual::Balance<Dim> found = dual::balance(cones, w, dual::Wanted::effort);
-      found.state == State::held)
+      found.state == State::held && found.residual.norm() <= std::max(least.residual.norm(), fair))
     forces = std::move(found);
   Hold<Dim> hold;
   hold.holdable = true;
   write_balance(hand, weight, cones, forces, hold);
 
   hold.objective = Objective::grip;
-  double sum = 0;
-  for (const double rate : least.rates) sum += rate;
-  hold.rates.resize(least.rates.size());
-  for (std::size_t a = 0; a < least.rates.size(); ++a) hold.rates[a] = least.rates[a] / sum;
-  hold.dual = about_origin(scaled, unit / weight / sum, least.y);
+  const dual::GripCut<Dim> cut = dual::grip_cut(cones, least, settings.force_cap);
+  hold.rates.resize(cut.rates.size());
+  for (std::size_t a = 0; a < cut.rates.size(); ++a) hold.rates[a] = cut.rates[a] / cut.rate_sum;
+  hold.dual = about_origin(scaled, unit / weight / cut.rate_sum, cut.y);
   hold.lower_bound = std::clamp(grip_bound(hand, load, hold.dual, hold.rates, cap), 0.0,
                                 grip(hand, hold));
   return hold;
