@@ -3,119 +3,127 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <cstdlib>
-#include <cstdio>
+
+#include "dual/tolerances.hpp"
+#include "dual/wide.hpp"
 
 namespace poise::dual {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_steps = 80;
-/// Of the balance in the load, of the rates in y, of the gap in the value: what is asked for, and
-/// what is enough where rounding ends the way.
-constexpr double wanted_error = 1e-13, enough = 1e-8;
-/// An error from which on it is over as soon as a step makes it no better, and how many such steps
-/// there may be before.
-constexpr double good = 1e-10;
-constexpr int patience = 8;  // steps
+/// Of the balance in the load, of the rates in y, of the gap in the value: what is asked for, what
+/// is enough where rounding ends the way, and from where on it is over as soon as a step makes it
+/// no better. Before, so many steps may.
+constexpr double wanted_error = 1e-13, enough = 1e-10, good = 1e-10;
+constexpr int patience = 8;
+/// A value [units of the hand] that is as good as 0.
+constexpr double no_value = 1e-6;
+/// What y may leave of a proof that nothing holds, and how far tau is behind kappa then.
+constexpr double certain = 1e-12, far = 1e-6;
+/// Of the way to the border of the cones; and steps so short that they lead nowhere.
+constexpr double most_of_the_way = 0.99, shortest_step = 1e-7;
 /// What may be missing of a step's balance, of the load.
 constexpr double small_residual = 1e-14;
-/// Shorter steps lead nowhere.
-constexpr double shortest_step = 1e-7;
+constexpr int most_refinements = 4;
 /// A pivot is known to within rounding of its own diagonal entry.
-constexpr double rounding = 1e-15;
+template <class T>
+constexpr double rounding = 4.5 * rounding_of<T>;
 
 /// s >= 0 and its multiplier u: a limit of N, the effort that a drive has left, F.
+template <class T>
 struct Ray {
-  double s, u;
-  double ds, du;
-  double d;  ///< the step's aim: ds + (s / u) du = d
+  T s, u;
+  T ds, du;
+  T d;  ///< the step's aim: ds + (s / u) du = d
 
-  double curvature() const { return u / s; }
-  double product() const { return s * u; }
+  T curvature() const { return u / s; }
+  T product() const { return s * u; }
   void aim() { d = -s; }
-  void aim(double center) { d = -s + (center - ds * du) / u; }
-  void step(double change) {
+  void aim(const T& center) { d = -s + (center - ds * du) / u; }
+  void step(const T& change) {
     ds = change;
     du = curvature() * (d - ds);
   }
-  double way() const {
-    return std::min(ds < 0 ? -s / ds : infinity, du < 0 ? -u / du : infinity);
+  T way() const {
+    return std::min<T>(ds < 0 ? T(-s / ds) : T(infinity), du < 0 ? T(-u / du) : T(infinity));
   }
-  void go(double length) {
+  void go(const T& length) {
     s += length * ds;
     u += length * du;
   }
 };
 
 /// A head and a tail.
-template <int D>
+template <int D, class T>
 struct Spin {
-  double head;
-  Eigen::Matrix<double, D, 1> tail;
+  T head;
+  Eigen::Matrix<T, D, 1> tail;
 
-  double dot(const Spin& other) const { return head * other.head + tail.dot(other.tail); }
+  T dot(const Spin& other) const { return head * other.head + tail.dot(other.tail); }
   /// Lorentz length, squared.
-  double square() const {
-    const double t = tail.norm();
+  T square() const {
+    const T t = tail.norm();
     return (head - t) * (head + t);
   }
 };
 
 /// s in the cone |tail| <= head and its multiplier u, scaled by W after Nesterov and Todd:
 /// W = scale [w0 w1ᵀ; w1 I + w1 w1ᵀ/(1 + w0)], W u = W⁻¹ s = lambda.
-template <int D>
+template <int D, class T>
 struct Cone {
-  using Tail = Eigen::Matrix<double, D, 1>;
-  Spin<D> s, u;
-  Spin<D> ds, du;
-  Spin<D> d;  ///< the step's aim: ds + W² du = d
-  double scale, w0;
+  using Tail = Eigen::Matrix<T, D, 1>;
+  Spin<D, T> s, u;
+  Spin<D, T> ds, du;
+  Spin<D, T> d;  ///< the step's aim: ds + W² du = d
+  T scale, w0;
   Tail w1;
-  Spin<D> lambda;
+  Spin<D, T> lambda;
 
-  double product() const { return s.dot(u); }
+  T product() const { return s.dot(u); }
   void rescale() {
-    const double least = std::numeric_limits<double>::min();
-    const double ls = std::sqrt(std::max(s.square(), least));
-    const double lu = std::sqrt(std::max(u.square(), least));
+    using std::sqrt;
+    const T least = std::numeric_limits<double>::min();
+    const T ls = sqrt(std::max<T>(s.square(), least)), lu = sqrt(std::max<T>(u.square(), least));
     const Tail s1 = s.tail / ls, u1 = u.tail / lu;
-    w1 = (s1 - u1) / std::sqrt(2 * (1 + s.head / ls * (u.head / lu) + s1.dot(u1)));
-    w0 = std::sqrt(1 + w1.squaredNorm());
-    scale = std::sqrt(ls / lu);
+    w1 = (s1 - u1) / sqrt(2 * (1 + s.head / ls * (u.head / lu) + s1.dot(u1)));
+    w0 = sqrt(1 + w1.squaredNorm());
+    scale = sqrt(ls / lu);
     lambda = times(u);
   }
-  Spin<D> times(const Spin<D>& x) const {
-    const double along = w1.dot(x.tail);
+  Spin<D, T> times(const Spin<D, T>& x) const {
+    const T along = w1.dot(x.tail);
     return {scale * (w0 * x.head + along), scale * (x.tail + (x.head + along / (1 + w0)) * w1)};
   }
-  Spin<D> over(const Spin<D>& x) const {
-    const double along = w1.dot(x.tail);
+  Spin<D, T> over(const Spin<D, T>& x) const {
+    const T along = w1.dot(x.tail);
     return {(w0 * x.head - along) / scale, (x.tail - (x.head - along / (1 + w0)) * w1) / scale};
   }
   void aim() { d = {-s.head, -s.tail}; }
-  void aim(double center) {
-    const Spin<D> a = over(ds), b = times(du);
-    const double head = center - lambda.dot(lambda) - a.dot(b);
+  void aim(const T& center) {
+    const Spin<D, T> a = over(ds), b = times(du);
+    const T head = center - lambda.dot(lambda) - a.dot(b);
     const Tail tail = -2 * lambda.head * lambda.tail - a.head * b.tail - b.head * a.tail;
-    const double first = (lambda.head * head - lambda.tail.dot(tail)) / lambda.square();
+    const T first = (lambda.head * head - lambda.tail.dot(tail)) / lambda.square();
     d = times({first, (tail - first * lambda.tail) / lambda.head});
   }
-  /// The tail of du is known without the rounding of W⁻²; the head of W² du = d - ds gives its head.
-  void step(const Spin<D>& change, const Tail& tail) {
+  /// The tail of du is known without the rounding of W⁻²; the head of W² du = d - ds gives its
+  /// head.
+  void step(const Spin<D, T>& change, const Tail& tail) {
     ds = change;
-    const double left = (d.head - ds.head) / (scale * scale);
+    const T left = (d.head - ds.head) / (scale * scale);
     du = {(left - 2 * w0 * w1.dot(tail)) / (1 + 2 * w1.squaredNorm()), tail};
   }
   /// The least t > 0 with x + t dx on the border.
-  static double way(const Spin<D>& x, const Spin<D>& dx) {
-    const double a = dx.square(), b = x.head * dx.head - x.tail.dot(dx.tail), c = x.square();
+  static T way(const Spin<D, T>& x, const Spin<D, T>& dx) {
+    const T a = dx.square(), b = x.head * dx.head - x.tail.dot(dx.tail), c = x.square();
     // Whoever goes back in a timelike direction meets the border: the root is real.
     if (a >= 0 && b >= 0) return infinity;
-    return c / (std::sqrt(std::max(b * b - a * c, 0.0)) - b);
+    using std::sqrt;
+    return c / (sqrt(std::max<T>(b * b - a * c, 0)) - b);
   }
-  double way() const { return std::min(way(s, ds), way(u, du)); }
-  void go(double length) {
+  T way() const { return std::min<T>(way(s, ds), way(u, du)); }
+  void go(const T& length) {
     s.head += length * ds.head;
     s.tail += length * ds.tail;
     u.head += length * du.head;
@@ -124,26 +132,31 @@ struct Cone {
 };
 
 /// LDLᵀ of a symmetric matrix of which only the last pivots are negative, in place.
+template <class T>
 class Factors {
  public:
+  using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+  using Column = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+
   explicit Factors(Eigen::Index size) : A_(size, size), over_(size) {}
-  Eigen::MatrixXd& matrix() { return A_; }
+  Matrix& matrix() { return A_; }
   void factorise(Eigen::Index positive) {
     for (Eigen::Index j = 0; j < A_.rows(); ++j) {
-      const double least = rounding * std::abs(A_(j, j)) + 1e-300;
-      double pivot = A_(j, j);
+      using std::abs;
+      const T least = rounding<T> * abs(A_(j, j)) + 1e-300;
+      T pivot = A_(j, j);
       for (Eigen::Index k = 0; k < j; ++k) pivot -= A_(j, k) * A_(k, j);
-      pivot = j < positive ? std::max(pivot, least) : std::min(pivot, -least);
+      pivot = j < positive ? std::max<T>(pivot, least) : std::min<T>(pivot, -least);
       over_[j] = 1 / pivot;
       for (Eigen::Index i = j + 1; i < A_.rows(); ++i) {
-        double sum = A_(i, j);
+        T sum = A_(i, j);
         for (Eigen::Index k = 0; k < j; ++k) sum -= A_(i, k) * A_(k, j);
         A_(j, i) = sum;             // L D
         A_(i, j) = sum * over_[j];  // L
       }
     }
   }
-  void solve(Eigen::VectorXd& x) const {
+  void solve(Column& x) const {
     const Eigen::Index size = A_.rows();
     for (Eigen::Index i = 0; i < size; ++i)
       for (Eigen::Index k = 0; k < i; ++k) x[i] -= A_(i, k) * x[k];
@@ -154,527 +167,557 @@ class Factors {
   }
 
  private:
-  Eigen::MatrixXd A_;
-  Eigen::VectorXd over_;
+  Matrix A_;
+  Column over_;
 };
 
-template <int Dim>
+template <int Dim, class T>
 class Interior {
   static constexpr int rows = wrench_size<Dim>, D = part_size<Dim>;
-  using Tail = PartForce<Dim>;
-  using Square = Eigen::Matrix<double, rows, rows>;
+  using Tail = Eigen::Matrix<T, D, 1>;
+  using Square = Eigen::Matrix<T, rows, rows>;
+  using Screw = Eigen::Matrix<T, rows, 1>;
+  using Column = typename Factors<T>::Column;
+  using Found = Balance<Dim>;
 
-  /// One right-hand side of a step: of its constant part, or of what grows with tau.
+  /// A step, or one of its right-hand sides.
   struct Side {
-    Eigen::VectorXd x;            ///< y, rates, F
-    std::vector<double> N;        ///< of each contact
-    std::vector<Tail> t;          ///< of each part
-    double gap;                   ///< of kappa
+    Column x;             ///< rates, y, F
+    std::vector<T> N;     ///< of each contact
+    std::vector<Tail> t;  ///< of each part
+    T gap;                ///< of kappa
   };
   struct Part {
-    const ConePart<Dim>* data;
-    Cone<D> cone;  ///< s = (reach N, t)
+    T reach, weight;
+    Eigen::Matrix<T, rows, D> G;
+    Cone<D, T> cone;  ///< s = (reach N, t)
     Tail residual;
     // dt = K⁻¹ (Gᵀ dy + residual) + aim - corner dN, K⁻¹ = over (I - bend w1 w1ᵀ).
-    double over, bend, schur;
+    T over, bend, schur;
     Tail corner;
-    double weight;
 
-    Tail by_K(const Tail& x) const {
-      return over * (x - bend * cone.w1.dot(x) * cone.w1);
-    }
+    Tail by_K(const Tail& x) const { return over * (x - (bend * cone.w1.dot(x)) * cone.w1); }
   };
   struct Body {
-    const ConeContact<Dim>* data;
-    double N;
-    double residual;
-    Ray lo, hi;
+    std::size_t first, last, finger;
+    Screw normal;
+    T weight, least, most;
     bool has_lo, has_hi;
-    Wrench<Dim> arrow;  ///< of dN = 1 and the dt that follow
-    double over, weight;
+    T N;
+    Ray<T> lo, hi;
+    T residual;
+    Screw arrow;  ///< the wrench of dN = 1 and the dt that follow
+    T over;
+  };
+  struct Drive {
+    struct Moved {
+      std::size_t finger;
+      Screw twist;
+    };
+    std::vector<Moved> moved;
+    T most;      ///< 0 to the grip
+    Ray<T> ray;  ///< s = F - e, or most - e
+    T residual;
   };
 
  public:
   Interior(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wanted);
-  Balance<Dim> run();
+  Found run();
 
  private:
-  using State = typename Balance<Dim>::State;
-
-  Eigen::Index drive_row(std::size_t a) const { return rows + static_cast<Eigen::Index>(a); }
-  double most(std::size_t a) const { return for_grip_ ? 0 : hand_.drives[a].max; }
-  /// y less what the drives move of a finger.
-  Twist<Dim> against(std::size_t finger, const Twist<Dim>& y, const auto& rate) const {
-    Twist<Dim> left = y;
-    for (std::size_t a = 0; a < hand_.drives.size(); ++a)
-      for (const auto& moved : hand_.drives[a].moved)
-        if (moved.finger == finger) left -= rate(a) * moved.twist;
-    return left;
+  Eigen::Index y_row() const { return static_cast<Eigen::Index>(drives_.size()); }
+  auto y_of(const Column& x) const { return x.template segment<rows>(y_row()); }
+  auto y_of(Column& x) const { return x.template segment<rows>(y_row()); }
+  /// y less what the drives move of a finger, with rates from `rate`.
+  template <class Rate>
+  Screw felt_by(std::size_t finger, const Screw& y, const Rate& rate) const {
+    Screw felt = y;
+    for (std::size_t a = 0; a < drives_.size(); ++a)
+      for (const auto& moved : drives_[a].moved)
+        if (moved.finger == finger) felt -= rate(a) * moved.twist;
+    return felt;
   }
-  void find_residuals();
-  bool is_done();
-  void factorise();
-  void aim_at(double center, bool corrected);
-  void solve(Side& side, double damping, bool of_tau);
-  void follow(Side& side, const Eigen::VectorXd& x) const;
-  double refine(double damping);
-  void step(double damping, double aim_of_tau, bool last);
-  double way() const;
-  void go(double length);
-  void settle(Balance<Dim>& best) const;
+  T power(const Drive& drive) const {
+    T sum = 0;
+    for (const auto& moved : drive.moved) sum += moved.twist.dot(wrench_[moved.finger]);
+    return sum;
+  }
+  void clear_wrenches() { std::fill(wrench_.begin(), wrench_.end(), Screw(Screw::Zero())); }
   template <class Function>
   void for_each_ray(const Function& f) {
     for (Body& body : bodies_) {
       if (body.has_lo) f(body.lo);
       if (body.has_hi) f(body.hi);
     }
-    for (Ray& drive : drives_) f(drive);
+    for (Drive& drive : drives_) f(drive.ray);
     if (for_grip_) f(F_);
   }
 
+  void find_residuals();
+  T center();
+  void factorise();
+  void aim(const T* center);
+  void solve(Side& side, const T& damping, bool of_tau);
+  void follow(Side& side, const Column& x) const;
+  T refine(const T& damping);
+  void step(const T& damping, const T& aim_of_tau, bool is_last);
+  T way();
+  void go(const T& length);
+  void keep(Found& best) const;
+  void settle(Found& best) const;
+
   const ConeHand<Dim>& hand_;
-  const Wrench<Dim>& w_;
-  bool for_grip_;
+  const Screw w_;
+  const bool for_grip_;
   std::vector<Part> parts_;
   std::vector<Body> bodies_;
-  std::vector<Ray> drives_;  ///< s = F - e, or max - e
-  std::vector<double> drive_residual_;
-  Ray F_{};
-  Twist<Dim> y_ = Twist<Dim>::Zero();
-  double tau_{1}, kappa_{1}, dtau_{0}, dkappa_{0};
+  std::vector<Drive> drives_;
+  Ray<T> F_{};
+  Screw y_ = Screw::Zero();
+  T tau_{1}, kappa_{1}, dtau_{0}, dkappa_{0};
   double degree_{1};
   // Where it stands.
-  Wrench<Dim> balance_residual_;
-  double F_residual_{0}, gap_residual_{0}, square_{0}, dual_{0};
-  double primal_error_{0}, dual_error_{0};
-  std::vector<Wrench<Dim>> wrench_;  ///< of the fingers
-  Factors factors_;
-  std::vector<Square> M_;  ///< of the fingers
-  Side constant_, growing_;
+  std::vector<Screw> wrench_;  ///< of the fingers
+  Screw balance_residual_;
+  T F_residual_{0}, gap_residual_{0}, square_{0}, dual_{0}, primal_error_{0}, dual_error_{0};
+  Factors<T> factors_;
+  std::vector<Square> M_;  ///< of the fingers: wrench per twist
+  Side step_, growing_;    ///< growing: per unit of tau
 };
 
-template <int Dim>
-Interior<Dim>::Interior(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wanted)
+template <int Dim, class T>
+Interior<Dim, T>::Interior(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wanted)
     : hand_(hand),
-      w_(w),
+      w_(w.template cast<T>()),
       for_grip_(wanted == Wanted::grip),
-      drive_residual_(hand.drives.size()),
       wrench_(hand.fingers),
       factors_(rows + static_cast<Eigen::Index>(hand.drives.size()) + (for_grip_ ? 1 : 0)),
       M_(hand.fingers) {
-  std::fill(wrench_.begin(), wrench_.end(), Wrench<Dim>::Zero());
+  clear_wrenches();
   parts_.reserve(hand.parts.size());
+  bodies_.reserve(hand.contacts.size());
   for (const ConeContact<Dim>& contact : hand.contacts) {
-    Body body{};
-    body.data = &contact;
+    Body body{.first = contact.first, .last = contact.last, .finger = contact.finger};
+    body.normal = contact.normal.template cast<T>();
+    body.weight = for_grip_ ? 0 : contact.weight;
+    body.least = contact.lo;
+    body.most = contact.hi;
     body.has_hi = contact.hi < infinity;
     body.has_lo = contact.lo > 0 || contact.first == contact.last;
     body.N = contact.lo + (body.has_hi ? std::min(1.0, (contact.hi - contact.lo) / 2) : 1);
-    body.weight = for_grip_ ? 0 : contact.weight;
-    if (body.has_lo) body.lo.s = body.N - contact.lo;
-    if (body.has_hi) body.hi.s = contact.hi - body.N;
-    wrench_[contact.finger] += body.N * contact.normal;
+    if (body.has_lo) body.lo.s = body.N - body.least;
+    if (body.has_hi) body.hi.s = body.most - body.N;
+    wrench_[contact.finger] += body.N * body.normal;
     for (std::size_t k = contact.first; k < contact.last; ++k) {
-      Part part{};
-      part.data = &hand.parts[k];
-      part.weight = for_grip_ ? 0 : part.data->weight;
-      part.cone.s = {part.data->reach * body.N, Tail::Zero()};
+      const ConePart<Dim>& given = hand.parts[k];
+      Part part{.reach = given.reach, .weight = for_grip_ ? 0 : given.weight};
+      part.G = given.G.template cast<T>();
+      part.cone.s = {part.reach * body.N, Tail::Zero()};
       part.cone.u = {1 / part.cone.s.head, Tail::Zero()};
       parts_.push_back(part);
     }
     bodies_.push_back(body);
   }
-  double greatest = 0;
-  for (const ConeDrive<Dim>& drive : hand.drives) {
-    Ray ray{};
-    for (const auto& moved : drive.moved) ray.s += moved.twist.dot(wrench_[moved.finger]);
-    greatest = std::max(greatest, ray.s);
-    drives_.push_back(ray);
+  F_.s = 0;
+  for (const ConeDrive<Dim>& given : hand.drives) {
+    Drive drive{};
+    for (const auto& moved : given.moved)
+      drive.moved.push_back({moved.finger, moved.twist.template cast<T>()});
+    drive.most = for_grip_ ? 0 : given.max;
+    F_.s = std::max<T>(F_.s, power(drive));
+    drives_.push_back(std::move(drive));
   }
-  F_.s = greatest + 1;
-  for (std::size_t a = 0; a < drives_.size(); ++a) {
-    const double left = (for_grip_ ? F_.s : most(a)) - drives_[a].s;
-    drives_[a].s = for_grip_ ? left : std::max(left, most(a) / 2);
+  F_.s += 1;
+  for (Drive& drive : drives_) {
+    const T left = (for_grip_ ? F_.s : drive.most) - power(drive);
+    drive.ray.s = for_grip_ ? left : std::max<T>(left, drive.most / 2);
   }
   degree_ += static_cast<double>(parts_.size());
-  for_each_ray([&](Ray& ray) {
+  for_each_ray([&](Ray<T>& ray) {
     ray.u = 1 / ray.s;
     degree_ += 1;
   });
-  for (Side* side : {&constant_, &growing_}) {
+  for (Side* side : {&step_, &growing_}) {
     side->x.resize(factors_.matrix().rows());
     side->N.resize(bodies_.size());
     side->t.resize(parts_.size());
   }
 }
 
-template <int Dim>
-void Interior<Dim>::find_residuals() {
-  std::fill(wrench_.begin(), wrench_.end(), Wrench<Dim>::Zero());
+template <int Dim, class T>
+void Interior<Dim, T>::find_residuals() {
+  using std::abs;
+  clear_wrenches();
   dual_error_ = 0;
   square_ = 0;
   dual_ = y_.dot(w_);
-  const auto rate = [&](std::size_t a) { return drives_[a].u; };
+  const auto rate = [&](std::size_t a) -> const T& { return drives_[a].ray.u; };
   std::size_t finger = hand_.fingers;
-  Twist<Dim> felt = Twist<Dim>::Zero();
+  Screw felt = y_;
   for (Body& body : bodies_) {
-    const ConeContact<Dim>& contact = *body.data;
-    if (contact.finger != finger) felt = against(finger = contact.finger, y_, rate);
-    Wrench<Dim>& wrench = wrench_[finger];
-    wrench += body.N * contact.normal;
+    if (body.finger != finger) felt = felt_by(finger = body.finger, y_, rate);
+    Screw& wrench = wrench_[finger];
+    wrench += body.N * body.normal;
     square_ += body.weight * body.N * body.N;
-    double pull = contact.normal.dot(felt) - body.weight * body.N;
+    T pull = body.normal.dot(felt) - body.weight * body.N;
     if (body.has_lo) {
       pull += body.lo.u;
-      dual_ += body.lo.u * contact.lo;
+      dual_ += body.lo.u * body.least;
     }
     if (body.has_hi) {
       pull -= body.hi.u;
-      dual_ -= body.hi.u * contact.hi;
+      dual_ -= body.hi.u * body.most;
     }
-    for (std::size_t k = contact.first; k < contact.last; ++k) {
+    for (std::size_t k = body.first; k < body.last; ++k) {
       Part& part = parts_[k];
       const Tail& t = part.cone.s.tail;
-      wrench += part.data->G * t;
+      wrench += part.G * t;
       square_ += part.weight * t.squaredNorm();
-      part.residual = part.data->G.transpose() * felt + part.cone.u.tail - part.weight * t;
-      pull += part.data->reach * part.cone.u.head;
-      dual_error_ = std::max(dual_error_, part.residual.template lpNorm<Eigen::Infinity>());
+      part.residual = part.G.transpose() * felt + part.cone.u.tail - part.weight * t;
+      pull += part.reach * part.cone.u.head;
+      dual_error_ = std::max<T>(dual_error_, part.residual.cwiseAbs().maxCoeff());
     }
     body.residual = pull;
-    dual_error_ = std::max(dual_error_, std::abs(pull));
+    dual_error_ = std::max<T>(dual_error_, abs(pull));
   }
   balance_residual_ = tau_ * w_;
-  for (const Wrench<Dim>& wrench : wrench_) balance_residual_ -= wrench;
-  primal_error_ = balance_residual_.template lpNorm<Eigen::Infinity>();
-  F_residual_ = for_grip_ ? F_.u - tau_ : 0;
-  for (std::size_t a = 0; a < drives_.size(); ++a) {
-    double effort = 0;
-    for (const auto& moved : hand_.drives[a].moved)
-      effort += moved.twist.dot(wrench_[moved.finger]);
-    drive_residual_[a] = (for_grip_ ? F_.s : most(a) * tau_) - effort - drives_[a].s;
-    primal_error_ = std::max(primal_error_, std::abs(drive_residual_[a]));
-    F_residual_ += for_grip_ ? drives_[a].u : 0;
-    dual_ -= drives_[a].u * most(a);
+  for (const Screw& wrench : wrench_) balance_residual_ -= wrench;
+  primal_error_ = balance_residual_.cwiseAbs().maxCoeff();
+  F_residual_ = for_grip_ ? T(F_.u - tau_) : T(0);
+  for (Drive& drive : drives_) {
+    drive.residual = (for_grip_ ? F_.s : T(drive.most * tau_)) - power(drive) - drive.ray.s;
+    primal_error_ = std::max<T>(primal_error_, abs(drive.residual));
+    if (for_grip_) F_residual_ += drive.ray.u;
+    dual_ -= drive.ray.u * drive.most;
   }
-  dual_error_ = std::max(dual_error_, std::abs(F_residual_));
-  gap_residual_ = dual_ - (for_grip_ ? F_.s : 0) - square_ / tau_ - kappa_;
+  dual_error_ = std::max<T>(dual_error_, abs(F_residual_));
+  gap_residual_ = dual_ - (for_grip_ ? F_.s : T(0)) - square_ / tau_ - kappa_;
 }
 
-/// W⁻² = ([w0 -w1ᵀ]ᵀ [w0 -w1ᵀ] 2 - diag(1, -I)) / scale², of which K takes the tail's block with the
+/// W⁻² = (2 w wᵀ - diag(1, -I)) / scale² with w = (w0, -w1); K is the tail's block of it and the
 /// weight. Differences are worked out by hand: near the border of a cone they lose all digits.
-template <int Dim>
-void Interior<Dim>::factorise() {
+template <int Dim, class T>
+void Interior<Dim, T>::factorise() {
   for (Square& M : M_) M.setZero();
   for (Part& part : parts_) {
     part.cone.rescale();
-    const Cone<D>& cone = part.cone;
-    const double per = 1 / (cone.scale * cone.scale), w1 = cone.w1.squaredNorm();
-    const double p = part.weight / per, all = 1 + p + 2 * w1;
+    const Cone<D, T>& cone = part.cone;
+    const T per = 1 / (cone.scale * cone.scale), w1 = cone.w1.squaredNorm();
+    const T p = part.weight / per, all = 1 + p + 2 * w1;
     part.over = 1 / (per * (1 + p));
     part.bend = 2 / all;
-    part.corner = -2 * cone.w0 / all * part.data->reach * cone.w1;
+    part.corner = (-2 * cone.w0 / all * part.reach) * cone.w1;
     part.schur = per * (1 + p * (1 + 2 * w1)) / all;
   }
   for (Body& body : bodies_) {
-    const ConeContact<Dim>& contact = *body.data;
-    double h = body.weight;
+    T h = body.weight;
     if (body.has_lo) h += body.lo.curvature();
     if (body.has_hi) h += body.hi.curvature();
-    body.arrow = contact.normal;
-    Square& M = M_[contact.finger];
-    for (std::size_t k = contact.first; k < contact.last; ++k) {
+    body.arrow = body.normal;
+    Square& M = M_[body.finger];
+    for (std::size_t k = body.first; k < body.last; ++k) {
       const Part& part = parts_[k];
-      const auto& G = part.data->G;
-      h += part.data->reach * part.data->reach * part.schur;
-      body.arrow -= G * part.corner;
-      const Wrench<Dim> bent = G * part.cone.w1;
-      M.noalias() += part.over * (G * G.transpose());
-      M.noalias() -= (part.over * part.bend) * bent * bent.transpose();
+      h += part.reach * part.reach * part.schur;
+      body.arrow -= part.G * part.corner;
+      const Screw bent = part.G * part.cone.w1;
+      M += part.over * (part.G * part.G.transpose());
+      M -= bent * ((part.over * part.bend) * bent).transpose();
     }
     body.over = 1 / h;
-    M.noalias() += body.over * body.arrow * body.arrow.transpose();
+    M += body.arrow * (body.over * body.arrow).transpose();
   }
-  Eigen::MatrixXd& A = factors_.matrix();
+  auto& A = factors_.matrix();
   A.setZero();
-  for (const Square& M : M_) A.template topLeftCorner<rows, rows>() += M;
+  const Eigen::Index y = y_row();
+  for (const Square& M : M_) A.template block<rows, rows>(y, y) += M;
   for (std::size_t a = 0; a < drives_.size(); ++a) {
-    const Eigen::Index row = drive_row(a);
-    A(row, row) += 1 / drives_[a].curvature();
-    for (const auto& moved : hand_.drives[a].moved) {
-      const Wrench<Dim> felt = M_[moved.finger] * moved.twist;
-      A.row(row).template head<rows>() -= felt.transpose();
+    const auto row = static_cast<Eigen::Index>(a);
+    A(row, row) += 1 / drives_[a].ray.curvature();
+    for (const auto& moved : drives_[a].moved) {
+      const Screw felt = M_[moved.finger] * moved.twist;
+      A.col(row).template segment<rows>(y) -= felt;
       for (std::size_t b = 0; b <= a; ++b)
-        for (const auto& other : hand_.drives[b].moved)
-          if (other.finger == moved.finger) A(row, drive_row(b)) += felt.dot(other.twist);
+        for (const auto& other : drives_[b].moved)
+          if (other.finger == moved.finger)
+            A(row, static_cast<Eigen::Index>(b)) += felt.dot(other.twist);
     }
   }
   if (for_grip_) {
     const Eigen::Index row = A.rows() - 1;
-    for (std::size_t a = 0; a < drives_.size(); ++a) A(row, drive_row(a)) = 1;
+    A.row(row).head(y).setOnes();
     A(row, row) = -F_.curvature();
   }
-  factors_.factorise(rows + static_cast<Eigen::Index>(drives_.size()));
+  factors_.factorise(y + rows);
 }
 
-template <int Dim>
-void Interior<Dim>::aim_at(double center, bool corrected) {
-  for (Part& part : parts_) corrected ? part.cone.aim(center) : part.cone.aim();
-  for_each_ray([&](Ray& ray) { corrected ? ray.aim(center) : ray.aim(); });
+/// Null: at the border.
+template <int Dim, class T>
+void Interior<Dim, T>::aim(const T* center) {
+  for (Part& part : parts_) center ? part.cone.aim(*center) : part.cone.aim();
+  for_each_ray([&](Ray<T>& ray) { center ? ray.aim(*center) : ray.aim(); });
 }
 
-/// The step as far as it follows from the aims and the residuals, or per unit of tau.
-template <int Dim>
-void Interior<Dim>::solve(Side& side, double damping, bool of_tau) {
-  std::vector<Wrench<Dim>>& wrench = wrench_;  // what contacts do before y moves
-  std::fill(wrench.begin(), wrench.end(), Wrench<Dim>::Zero());
+/// The step as far as it follows from aims and residuals, or per unit of tau.
+template <int Dim, class T>
+void Interior<Dim, T>::solve(Side& side, const T& damping, bool of_tau) {
+  clear_wrenches();  // what contacts do before y moves
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Body& body = bodies_[i];
-    const ConeContact<Dim>& contact = *body.data;
-    Wrench<Dim>& sum = wrench[contact.finger];
-    double pull = of_tau ? 0 : damping * body.residual;
-    if (body.has_lo) pull += body.lo.curvature() * (of_tau ? contact.lo : body.lo.d);
-    if (body.has_hi) pull += body.hi.curvature() * (of_tau ? contact.hi : -body.hi.d);
-    for (std::size_t k = contact.first; k < contact.last; ++k) {
+    T pull = of_tau ? T(0) : T(damping * body.residual);
+    if (body.has_lo) pull += body.lo.curvature() * (of_tau ? body.least : body.lo.d);
+    if (body.has_hi) pull += body.hi.curvature() * (of_tau ? body.most : T(-body.hi.d));
+    for (std::size_t k = body.first; k < body.last; ++k) {
       side.t[k].setZero();
       if (of_tau) continue;
       const Part& part = parts_[k];
-      const Spin<D>& d = part.cone.d;
+      const Spin<D, T>& d = part.cone.d;
       const Tail residual = damping * part.residual - part.weight * d.tail;
-      pull += part.data->reach * part.schur * d.head - part.corner.dot(residual);
-      side.t[k] = part.by_K(residual) + d.head / part.data->reach * part.corner + d.tail;
-      sum += part.data->G * side.t[k];
+      pull += part.reach * part.schur * d.head - part.corner.dot(residual);
+      side.t[k] = part.by_K(residual) + (d.head / part.reach) * part.corner + d.tail;
     }
     side.N[i] = body.over * pull;
-    sum += side.N[i] * body.arrow;
-    for (std::size_t k = contact.first; k < contact.last; ++k)
+    Screw& wrench = wrench_[body.finger];
+    wrench += side.N[i] * body.normal;
+    for (std::size_t k = body.first; k < body.last; ++k) {
       side.t[k] -= side.N[i] * parts_[k].corner;
+      wrench += parts_[k].G * side.t[k];
+    }
   }
-  Eigen::VectorXd& x = side.x;
-  x.template head<rows>() = of_tau ? w_ : Wrench<Dim>(damping * balance_residual_);
-  for (const Wrench<Dim>& each : wrench) x.template head<rows>() -= each;
+  Column& x = side.x;
+  y_of(x) = of_tau ? w_ : Screw(damping * balance_residual_);
+  for (const Screw& each : wrench_) y_of(x) -= each;
   for (std::size_t a = 0; a < drives_.size(); ++a) {
-    double aim = of_tau ? -most(a) : drives_[a].d - damping * drive_residual_[a];
-    for (const auto& moved : hand_.drives[a].moved)
-      aim += moved.twist.dot(wrench[moved.finger]);
-    x[drive_row(a)] = aim;
+    const Drive& drive = drives_[a];
+    x[static_cast<Eigen::Index>(a)] =
+        power(drive) + (of_tau ? T(-drive.most) : T(drive.ray.d - damping * drive.residual));
   }
   if (for_grip_)
-    x[x.size() - 1] = of_tau ? 1 : -damping * F_residual_ - F_.curvature() * F_.d;
+    x[x.size() - 1] = of_tau ? T(1) : T(-damping * F_residual_ - F_.curvature() * F_.d);
   factors_.solve(x);
   follow(side, x);
 
-  side.gap = w_.dot(x.template head<rows>());
-  for (std::size_t a = 0; a < drives_.size(); ++a) side.gap -= most(a) * x[drive_row(a)];
+  side.gap = w_.dot(y_of(x));
+  for (std::size_t a = 0; a < drives_.size(); ++a)
+    side.gap -= drives_[a].most * x[static_cast<Eigen::Index>(a)];
   if (for_grip_) side.gap -= x[x.size() - 1];
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Body& body = bodies_[i];
-    const double N = side.N[i], lo = body.data->lo, hi = body.data->hi;
-    if (body.has_lo) side.gap += lo * body.lo.curvature() * ((of_tau ? lo : body.lo.d) - N);
-    if (body.has_hi) side.gap -= hi * body.hi.curvature() * ((of_tau ? -hi : body.hi.d) + N);
+    const T& N = side.N[i];
+    if (body.has_lo)
+      side.gap += body.least * body.lo.curvature() * ((of_tau ? body.least : body.lo.d) - N);
+    if (body.has_hi)
+      side.gap -= body.most * body.hi.curvature() * ((of_tau ? T(-body.most) : body.hi.d) + N);
     if (for_grip_) continue;
     side.gap -= 2 / tau_ * body.weight * body.N * N;
-    for (std::size_t k = body.data->first; k < body.data->last; ++k)
+    for (std::size_t k = body.first; k < body.last; ++k)
       side.gap -= 2 / tau_ * parts_[k].weight * parts_[k].cone.s.tail.dot(side.t[k]);
   }
 }
 
 /// What the contacts do as y and the rates move.
-template <int Dim>
-void Interior<Dim>::follow(Side& side, const Eigen::VectorXd& x) const {
-  const Twist<Dim> dy = x.template head<rows>();
-  const auto rate = [&](std::size_t a) { return x[drive_row(a)]; };
+template <int Dim, class T>
+void Interior<Dim, T>::follow(Side& side, const Column& x) const {
+  const Screw dy = y_of(x);
+  const auto rate = [&](std::size_t a) -> const T& { return x[static_cast<Eigen::Index>(a)]; };
   std::size_t finger = hand_.fingers;
-  Twist<Dim> felt = Twist<Dim>::Zero();
+  Screw felt = dy;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Body& body = bodies_[i];
-    const ConeContact<Dim>& contact = *body.data;
-    if (contact.finger != finger) felt = against(finger = contact.finger, dy, rate);
-    const double N = body.over * body.arrow.dot(felt);
+    if (body.finger != finger) felt = felt_by(finger = body.finger, dy, rate);
+    const T N = body.over * body.arrow.dot(felt);
     side.N[i] += N;
-    for (std::size_t k = contact.first; k < contact.last; ++k) {
-      const Part& part = parts_[k];
-      side.t[k] += part.by_K(part.data->G.transpose() * felt) - N * part.corner;
-    }
+    for (std::size_t k = body.first; k < body.last; ++k)
+      side.t[k] += parts_[k].by_K(parts_[k].G.transpose() * felt) - N * parts_[k].corner;
   }
 }
 
 /// Near the border of a cone forces along it are nearly free, and rounding of y is felt in them:
 /// what is missing of the balance is solved for once more. How much it was.
-template <int Dim>
-double Interior<Dim>::refine(double damping) {
-  std::fill(wrench_.begin(), wrench_.end(), Wrench<Dim>::Zero());
+template <int Dim, class T>
+T Interior<Dim, T>::refine(const T& damping) {
+  clear_wrenches();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const ConeContact<Dim>& contact = *bodies_[i].data;
-    Wrench<Dim>& wrench = wrench_[contact.finger];
-    wrench += constant_.N[i] * contact.normal;
-    for (std::size_t k = contact.first; k < contact.last; ++k)
-      wrench += parts_[k].data->G * constant_.t[k];
+    const Body& body = bodies_[i];
+    Screw& wrench = wrench_[body.finger];
+    wrench += step_.N[i] * body.normal;
+    for (std::size_t k = body.first; k < body.last; ++k) wrench += parts_[k].G * step_.t[k];
   }
-  Eigen::VectorXd& x = growing_.x;  // needed no more
-  const Eigen::VectorXd& known = constant_.x;
-  x.template head<rows>() = damping * balance_residual_ + dtau_ * w_;
-  for (const Wrench<Dim>& wrench : wrench_) x.template head<rows>() -= wrench;
+  Column& x = growing_.x;  // needed no more
+  const Column& known = step_.x;
+  y_of(x) = damping * balance_residual_ + dtau_ * w_;
+  for (const Screw& wrench : wrench_) y_of(x) -= wrench;
   for (std::size_t a = 0; a < drives_.size(); ++a) {
-    const Ray& drive = drives_[a];
-    double missing = drive.d - damping * drive_residual_[a] - dtau_ * most(a) -
-                     known[drive_row(a)] / drive.curvature();
-    if (for_grip_) missing -= known[known.size() - 1];
-    for (const auto& moved : hand_.drives[a].moved)
-      missing += moved.twist.dot(wrench_[moved.finger]);
-    x[drive_row(a)] = missing;
+    const Drive& drive = drives_[a];
+    const auto row = static_cast<Eigen::Index>(a);
+    x[row] = power(drive) + drive.ray.d - damping * drive.residual - dtau_ * drive.most -
+             known[row] / drive.ray.curvature();
+    if (for_grip_) x[row] -= known[known.size() - 1];
   }
-  if (for_grip_) x[x.size() - 1] = 0;
-  const double missing = x.template head<rows>().template lpNorm<Eigen::Infinity>();
+  if (for_grip_) {
+    T& missing = x[x.size() - 1];
+    missing = dtau_ - damping * F_residual_ - F_.curvature() * (F_.d - known[known.size() - 1]);
+    for (std::size_t a = 0; a < drives_.size(); ++a) missing -= known[static_cast<Eigen::Index>(a)];
+  }
+  const T missing = y_of(x).cwiseAbs().maxCoeff();
   factors_.solve(x);
-  follow(constant_, x);
-  constant_.x += x;
+  follow(step_, x);
+  step_.x += x;
   return missing;
 }
 
 /// `aim_of_tau`: of kappa dtau + tau dkappa.
-template <int Dim>
-void Interior<Dim>::step(double damping, double aim_of_tau, bool last) {
-  solve(constant_, damping, false);
-  const double gap = constant_.gap + damping * gap_residual_;
+template <int Dim, class T>
+void Interior<Dim, T>::step(const T& damping, const T& aim_of_tau, bool is_last) {
+  solve(step_, damping, false);
+  const T gap = step_.gap + damping * gap_residual_;
   dtau_ = (aim_of_tau - tau_ * gap) / (kappa_ + tau_ * growing_.gap + square_ / tau_);
   dkappa_ = (aim_of_tau - kappa_ * dtau_) / tau_;
-  constant_.x += dtau_ * growing_.x;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) constant_.N[i] += dtau_ * growing_.N[i];
-  for (std::size_t k = 0; k < parts_.size(); ++k) constant_.t[k] += dtau_ * growing_.t[k];
-  for (int round = 0; last && round < 4; ++round)
+  step_.x += dtau_ * growing_.x;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) step_.N[i] += dtau_ * growing_.N[i];
+  for (std::size_t k = 0; k < parts_.size(); ++k) step_.t[k] += dtau_ * growing_.t[k];
+  for (int round = 0; is_last && round < most_refinements; ++round)
     if (!(refine(damping) > small_residual * (tau_ + primal_error_))) break;
 
-  const Twist<Dim> dy = constant_.x.template head<rows>();
-  const auto rate = [&](std::size_t a) { return constant_.x[drive_row(a)]; };
+  const Screw dy = y_of(step_.x);
+  const auto rate = [&](std::size_t a) -> const T& {
+    return step_.x[static_cast<Eigen::Index>(a)];
+  };
   std::size_t finger = hand_.fingers;
-  Twist<Dim> felt = Twist<Dim>::Zero();
+  Screw felt = dy;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body& body = bodies_[i];
-    const ConeContact<Dim>& contact = *body.data;
-    if (contact.finger != finger) felt = against(finger = contact.finger, dy, rate);
-    const double N = constant_.N[i];
-    if (body.has_lo) body.lo.step(N - contact.lo * dtau_);
-    if (body.has_hi) body.hi.step(contact.hi * dtau_ - N);
-    for (std::size_t k = contact.first; k < contact.last; ++k) {
+    if (body.finger != finger) felt = felt_by(finger = body.finger, dy, rate);
+    const T& N = step_.N[i];
+    if (body.has_lo) body.lo.step(N - body.least * dtau_);
+    if (body.has_hi) body.hi.step(body.most * dtau_ - N);
+    for (std::size_t k = body.first; k < body.last; ++k) {
       Part& part = parts_[k];
-      const Tail& t = constant_.t[k];
-      part.cone.step({part.data->reach * N, t}, part.weight * t -
-                                                    part.data->G.transpose() * felt -
-                                                    damping * part.residual);
+      const Tail& t = step_.t[k];
+      part.cone.step({part.reach * N, t},
+                     part.weight * t - part.G.transpose() * felt - damping * part.residual);
     }
   }
   // The rates are unknowns; their s follow.
   for (std::size_t a = 0; a < drives_.size(); ++a) {
-    Ray& drive = drives_[a];
-    drive.du = constant_.x[drive_row(a)];
-    drive.ds = drive.d - drive.du / drive.curvature();
+    Ray<T>& ray = drives_[a].ray;
+    ray.du = rate(a);
+    ray.ds = ray.d - ray.du / ray.curvature();
   }
-  if (for_grip_) F_.step(constant_.x[constant_.x.size() - 1]);
+  if (for_grip_) F_.step(step_.x[step_.x.size() - 1]);
 }
 
-template <int Dim>
-double Interior<Dim>::way() const {
-  double way = std::min(dtau_ < 0 ? -tau_ / dtau_ : infinity,
-                        dkappa_ < 0 ? -kappa_ / dkappa_ : infinity);
-  for (const Part& part : parts_) way = std::min(way, part.cone.way());
-  const_cast<Interior*>(this)->for_each_ray([&](Ray& ray) { way = std::min(way, ray.way()); });
+template <int Dim, class T>
+T Interior<Dim, T>::way() {
+  T way = infinity;
+  if (dtau_ < 0) way = std::min<T>(way, -tau_ / dtau_);
+  if (dkappa_ < 0) way = std::min<T>(way, -kappa_ / dkappa_);
+  for (const Part& part : parts_) way = std::min<T>(way, part.cone.way());
+  for_each_ray([&](const Ray<T>& ray) { way = std::min<T>(way, ray.way()); });
   return way;
 }
 
-template <int Dim>
-void Interior<Dim>::go(double length) {
-  y_ += length * constant_.x.template head<rows>();
-  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].N += length * constant_.N[i];
+template <int Dim, class T>
+void Interior<Dim, T>::go(const T& length) {
+  y_ += length * y_of(step_.x);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].N += length * step_.N[i];
   for (Part& part : parts_) part.cone.go(length);
-  for_each_ray([&](Ray& ray) { ray.go(length); });
+  for_each_ray([&](Ray<T>& ray) { ray.go(length); });
   tau_ += length * dtau_;
   kappa_ += length * dkappa_;
 }
 
-template <int Dim>
-Balance<Dim> Interior<Dim>::run() {
-  Balance<Dim> best{};
-  best.state = State::open;
-  double least = infinity;
-  int step_ = 0, last_better = 0;
-  for (;; ++step_) {
+template <int Dim, class T>
+T Interior<Dim, T>::center() {
+  T sum = tau_ * kappa_;
+  for (const Part& part : parts_) sum += part.cone.product();
+  for_each_ray([&](const Ray<T>& ray) { sum += ray.product(); });
+  return sum / degree_;
+}
+
+template <int Dim, class T>
+void Interior<Dim, T>::keep(Found& best) const {
+  const auto plain = [&](const T& number) { return static_cast<double>(number / tau_); };
+  best.value = for_grip_ ? plain(F_.s) : plain(square_ / (2 * tau_));
+  best.y = (y_ / tau_).template cast<double>();
+  best.residual = (balance_residual_ / tau_).template cast<double>();
+  best.rates.clear();
+  best.normals.clear();
+  best.tangentials.clear();
+  for (const Drive& drive : drives_) best.rates.push_back(plain(drive.ray.u));
+  for (const Body& body : bodies_) best.normals.push_back(plain(body.N));
+  for (const Part& part : parts_)
+    best.tangentials.push_back((part.cone.s.tail / tau_).template cast<double>());
+}
+
+template <int Dim, class T>
+Balance<Dim> Interior<Dim, T>::run() {
+  using std::abs;
+  Found best{};
+  best.error = infinity;
+  int last_better = 0;
+  for (best.steps = 0;; ++best.steps) {
     find_residuals();
-    const double size_y = y_.template lpNorm<Eigen::Infinity>() + tau_;
-    const double primal = (for_grip_ ? F_.s : square_ / 2 / tau_) / tau_;
-    const double proven = for_grip_ ? dual_ / tau_ : (dual_ - square_ / 2 / tau_) / tau_;
-    const double gap = std::abs(primal - proven) / std::max({primal, std::abs(proven), 1e-300});
-    if (getenv("DBG")) printf("%2d p %.2e d %.2e gap %.2e tau %.2e kap %.2e primal %.6g proven %.6g\n", step_, primal_error_/tau_, dual_error_/size_y, gap, tau_, kappa_, primal, proven);
-    const double error = std::max({primal_error_ / tau_, dual_error_ / size_y, gap});
-    if (error < least || step_ == 0) {
-      least = error;
-      last_better = step_;
-      best.value = primal;
-      best.y = y_ / tau_;
-      best.residual = balance_residual_ / tau_;
-      best.rates.clear();
-      for (const Ray& drive : drives_) best.rates.push_back(drive.u / tau_);
-      best.normals.clear();
-      best.tangentials.clear();
-      for (const Body& body : bodies_) best.normals.push_back(body.N / tau_);
-      for (const Part& part : parts_) best.tangentials.push_back(part.cone.s.tail / tau_);
+    const T value = for_grip_ ? F_.s : T(square_ / (2 * tau_));
+    const T proven = for_grip_ ? dual_ : T(dual_ - square_ / (2 * tau_));
+    const T gap = abs(value - proven) / std::max<T>({value, abs(proven), tau_ * no_value});
+    const T size_y = y_.cwiseAbs().maxCoeff() + tau_;
+    const auto error =
+        static_cast<double>(std::max<T>({T(primal_error_ / tau_), T(dual_error_ / size_y), gap}));
+    if (error < best.error) {
+      best.error = error;
+      last_better = best.steps;
+      keep(best);
     }
-    best.steps = step_;
-    if (error <= wanted_error || !(error < infinity) || step_ > last_better + patience) break;
-    if (least <= good && step_ > last_better) break;
-    if (least > enough && dual_ > 0 && dual_error_ + square_ <= 1e-12 * dual_ &&
-        tau_ < 1e-6 * kappa_) {
-      best.state = State::not_held;
-      best.y = y_ / dual_;
-      for (std::size_t a = 0; a < drives_.size(); ++a) best.rates[a] = drives_[a].u / dual_;
+    if (!(error > wanted_error) || !(error < infinity)) break;
+    if (best.steps > last_better + (best.error <= good ? 0 : patience)) break;
+    if (best.error > enough && dual_ > 0 && dual_error_ + square_ <= certain * dual_ &&
+        tau_ < far * kappa_) {
+      best.state = Found::State::not_held;
+      best.y = (y_ / dual_).template cast<double>();
+      for (std::size_t a = 0; a < drives_.size(); ++a)
+        best.rates[a] = static_cast<double>(drives_[a].ray.u / dual_);
       return best;
     }
-    if (step_ == most_steps) break;
-    double center = tau_ * kappa_;
-    for (const Part& part : parts_) center += part.cone.product();
-    for_each_ray([&](const Ray& ray) { center += ray.product(); });
-    center /= degree_;
-    if (!(center > 1e-300)) break;
+    const T here = center();
+    if (best.steps == most_steps || !(here > 1e-300)) break;
 
     factorise();
-    aim_at(0, false);
+    aim(nullptr);
     solve(growing_, 1, true);
     step(1, -tau_ * kappa_, false);
-    const double free = std::min(1.0, way());
-    const double sigma = (1 - free) * (1 - free) * (1 - free);
-    const double corrected = sigma * center - tau_ * kappa_ - dtau_ * dkappa_;
-    aim_at(sigma * center, true);
+    const T left = 1 - std::min<T>(1, way()), sigma = left * left * left;
+    const T target = sigma * here, corrected = target - tau_ * kappa_ - dtau_ * dkappa_;
+    aim(&target);
     step(1 - sigma, corrected, true);
-    const double length = std::min(1.0, 0.99 * way());
+    const T length = std::min<T>(1, most_of_the_way * way());
     if (!(length > shortest_step)) break;
     go(length);
-    // Nothing but ratios counts.
-    if (tau_ + kappa_ > 1e100) break;
   }
-  best.error = least;
-  if (least <= enough) best.state = State::held;
-  settle(best);
+  best.state = best.error <= enough ? Found::State::held : Found::State::open;
+  if (best.error < infinity) settle(best);
   return best;
 }
 
 /// What rounding left of the balance, by the smallest change of forces.
-template <int Dim>
-void Interior<Dim>::settle(Balance<Dim>& best) const {
-  if (!(best.residual.template lpNorm<Eigen::Infinity>() > 1e-16)) return;
-  Factors factors(rows);
+template <int Dim, class T>
+void Interior<Dim, T>::settle(Found& best) const {
+  if (!(best.residual.cwiseAbs().maxCoeff() > 1e-16)) return;
+  Factors<double> factors(rows);
   factors.matrix().setZero();
   for (const ConeContact<Dim>& contact : hand_.contacts)
     factors.matrix() += contact.normal * contact.normal.transpose();
   for (const ConePart<Dim>& part : hand_.parts) factors.matrix() += part.G * part.G.transpose();
   factors.factorise(rows);
-  Eigen::VectorXd y = best.residual;
+  typename Factors<double>::Column y = best.residual;
   factors.solve(y);
   const Twist<Dim> change = y;
-  for (std::size_t i = 0; i < hand_.contacts.size(); ++i)
+  // What no force feels is left.
+  if (!(change.norm() <= 1e3 * best.residual.norm())) return;
+  best.residual = w_.template cast<double>();
+  for (std::size_t i = 0; i < hand_.contacts.size(); ++i) {
     best.normals[i] += hand_.contacts[i].normal.dot(change);
-  best.residual = w_;
-  for (std::size_t i = 0; i < hand_.contacts.size(); ++i)
     best.residual -= best.normals[i] * hand_.contacts[i].normal;
+  }
   for (std::size_t k = 0; k < hand_.parts.size(); ++k) {
     best.tangentials[k] += hand_.parts[k].G.transpose() * change;
     best.residual -= hand_.parts[k].G * best.tangentials[k];
@@ -685,7 +728,9 @@ void Interior<Dim>::settle(Balance<Dim>& best) const {
 
 template <int Dim>
 Balance<Dim> balance(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wanted) {
-  return Interior<Dim>(hand, w, wanted).run();
+  const Balance<Dim> found = Interior<Dim, double>(hand, w, wanted).run();
+  if (found.state != Balance<Dim>::State::open) return found;
+  return Interior<Dim, Wide>(hand, w, wanted).run();
 }
 
 /// The greatest power per newton of each contact, with what rounding may make of it.
@@ -705,7 +750,7 @@ std::vector<double> powers(const ConeHand<Dim>& hand, const Twist<Dim>& y,
     double power = contact.normal.dot(twist);
     for (std::size_t k = contact.first; k < contact.last; ++k)
       power += hand.parts[k].reach * (hand.parts[k].G.transpose() * twist).norm();
-    result.push_back(power + rounding * size);
+    result.push_back(power + rounding<double> * size);
   }
   return result;
 }
@@ -717,7 +762,8 @@ GripCut<Dim> grip_cut(const ConeHand<Dim>& hand, const Balance<Dim>& found, doub
     std::fill(cut.rates.begin(), cut.rates.end(), 0.0);
   std::vector<double> power = powers(hand, cut.y, cut.rates);
   // Power is convex in (y, rates): rates alone, mixed in, take from it what they leave below 0.
-  const double size = std::max(cut.y.cwiseAbs().maxCoeff(), 1e-300);
+  double size = std::max(cut.y.cwiseAbs().maxCoeff(), 1e-300);
+  for (const double rate : cut.rates) size = std::max(size, rate);
   const std::vector<double> alone(hand.drives.size(),
                                   size / static_cast<double>(hand.drives.size()));
   const std::vector<double> shut = powers(hand, Twist<Dim>(Twist<Dim>::Zero()), alone);

@@ -1,14 +1,14 @@
 // The interior-point method, for what has more unknowns than a twist: the least grip, and holds
 // under limits of drives or with pads. docs/theory.md, "The least grip". Not installed.
 //
-//   grip:    minimise F             subject to  Σ G f = w,  f in the cones,  e_a <= F for all drives
-//   effort:  minimise Σ |f|²/2      subject to  Σ G f = w,  f in the cones,  e_a <= max_a
+//   grip:    minimise F             subject to  Σ G f = w,  f in the cones,  e_a <= F for all
+//   drives effort:  minimise Σ |f|²/2      subject to  Σ G f = w,  f in the cones,  e_a <= max_a
 //
 // with e_a = Σ over fingers of (twist of the finger) . (wrench of its contacts). A contact is a
 // normal force N with tangential parts, each |t_k| <= reach_k N: for a point one, with the moment
 // of a soft finger; for a pad one of each of its points, and one for either way in which the centre
-// of pressure moves. So the equations of a contact have the shape of an arrow: each is eliminated by
-// itself, and (y, rates) are left, with F.
+// of pressure moves. So the equations of a contact have the shape of an arrow: each is eliminated
+// by itself, and (y, rates) are left, with F.
 //
 // The homogeneous embedding ends with forces and (y, rates), or with a y that proves that there are
 // no forces; scaled after Nesterov and Todd, steps after Mehrotra. E. D. Andersen, C. Roos,
@@ -76,10 +76,10 @@ struct Balance {
     open,      ///< neither to all digits
   };
   State state;
-  double error;                         ///< of balance, rates and value, in parts: the largest
-  double value;                         ///< F, or Σ |f|²/2
-  Wrench<Dim> residual;                 ///< w - Σ G f
-  std::vector<double> normals;          ///< N of each contact
+  double error;                             ///< of balance, rates and value, in parts: the largest
+  double value;                             ///< F, or Σ |f|²/2
+  Wrench<Dim> residual;                     ///< w - Σ G f
+  std::vector<double> normals;              ///< N of each contact
   std::vector<PartForce<Dim>> tangentials;  ///< t of each part
   Twist<Dim> y;
   std::vector<double> rates;  ///< of the drives, >= 0; to the grip their sum is at most 1

@@ -63,8 +63,7 @@ void add_parts(const Contact<3>& contact, double factor, const Arm<3>& arm, Cone
   if (!contact.pad) {
     add(contact.position, 1);
     if (mu > 0 && contact.torsion > 0)
-      cones.parts.back().G.col(2) =
-          arm.moment(contact.torsion / contact.friction * contact.normal);
+      cones.parts.back().G.col(2) = arm.moment(contact.torsion / contact.friction * contact.normal);
     return;
   }
   const dual::PadFrame frame(contact);
@@ -213,11 +212,10 @@ void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Di
     const bool loaded = normal > at_limit, frictionless = contact.friction == 0;
     if (!loaded || frictionless) force.friction_used = loaded ? 1 : 0;
     force.friction_used = std::min(force.friction_used, 1.0);
-    force.state = !loaded                                ? ContactState::unloaded
+    force.state = !loaded                               ? ContactState::unloaded
                   : force.friction_used >= 1 - at_limit ? ContactState::slipping
-                                                         : ContactState::sticking;
-    force.limit = limit_of(force.normal, contact.min_normal, contact.max_normal,
-                           at_limit * weight);
+                                                        : ContactState::sticking;
+    force.limit = limit_of(force.normal, contact.min_normal, contact.max_normal, at_limit * weight);
   }
   hold.effort = weight * weight * square;
 }
@@ -242,7 +240,8 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
       hold.rates[a] = weight * found.rates[limited++] *
                       (weight / drive_unit(hand, drives[a], GripUnit::newton, weight));
   }
-  hold.holdable = found.state != State::not_held && 2 * found.value <= settings.force_cap * settings.force_cap;
+  hold.holdable =
+      found.state != State::not_held && 2 * found.value <= settings.force_cap * settings.force_cap;
   if (hold.holdable) {
     write_balance(hand, weight, cones, found, hold);
     hold.holdable = hold.residual <= 1e-9;
@@ -266,12 +265,12 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
   return hold;
 }
 
-#define POISE_INSTANTIATE(Dim)                                                                     \
-  template dual::ConeHand<Dim> cone_hand(const Hand<Dim>&, double, dual::Wanted, double);          \
-  template double scaled_grip(const Hand<Dim>&, double);                                           \
-  template void write_balance(const Hand<Dim>&, double, const dual::ConeHand<Dim>&,                \
-                              const dual::Balance<Dim>&, Hold<Dim>&);                              \
-  template Hold<Dim> general_hold(const Hand<Dim>&, double, const Wrench<Dim>&, double,            \
+#define POISE_INSTANTIATE(Dim)                                                            \
+  template dual::ConeHand<Dim> cone_hand(const Hand<Dim>&, double, dual::Wanted, double); \
+  template double scaled_grip(const Hand<Dim>&, double);                                  \
+  template void write_balance(const Hand<Dim>&, double, const dual::ConeHand<Dim>&,       \
+                              const dual::Balance<Dim>&, Hold<Dim>&);                     \
+  template Hold<Dim> general_hold(const Hand<Dim>&, double, const Wrench<Dim>&, double,   \
                                   const HoldSettings&);
 POISE_INSTANTIATE(2)
 POISE_INSTANTIATE(3)

@@ -16,8 +16,8 @@ namespace {
 constexpr double room = 1e-8;
 /// Of forces that are as good as balanced, and of a value as good as proven.
 constexpr double most_error = 1e-6;
-/// An imbalance [weights] that is as good as none.
-constexpr double fair = 1e-12;
+/// An imbalance [weights] that is as good as none, and one that is not.
+constexpr double fair = 1e-12, balanced = 1e-9;
 
 /// Those of the fingers, about the object frame's origin [N, N m].
 template <int Dim>
@@ -50,6 +50,18 @@ double effort_of(const Hand<Dim>& hand, const Drive<Dim>& drive,
   return effort;
 }
 
+/// Whether forces balance the load within their limits.
+template <int Dim>
+bool is_fair(const Hand<Dim>& hand, double weight, const Hold<Dim>& hold) {
+  bool fair = hold.residual <= balanced;
+  for (std::size_t i = 0; i < hold.forces.size(); ++i) {
+    const double normal = hold.forces[i].normal, near = balanced * (weight + std::abs(normal));
+    fair = fair && normal >= hand.contacts()[i].min_normal - near &&
+           normal <= hand.contacts()[i].max_normal + near;
+  }
+  return fair;
+}
+
 /// Whether it can be held at all, where the grip's search ended without an answer to all digits.
 template <int Dim>
 Hold<Dim> unlimited_hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight,
@@ -62,9 +74,9 @@ Hold<Dim> unlimited_hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double 
   none.dual = about_origin(hand.scaled(), 1, ended.y);
   const double gain = none.dual.dot(load);
   none.dual *= gain > 0 ? cap * cap / gain : 1;
-  none.lower_bound = std::min(
-      static_cast<double>(dual::effort_bound<Dim>(hand, load, none.dual, {}, 1)),
-      std::numeric_limits<double>::max());
+  none.lower_bound =
+      std::min(static_cast<double>(dual::effort_bound<Dim>(hand, load, none.dual, {}, 1)),
+               std::numeric_limits<double>::max());
   none.proven = none.lower_bound > cap * cap;
   return none;
 }
@@ -95,8 +107,7 @@ GripUnit grip_unit(const Hand<Dim>& hand) {
     one_max = one_max && drive.max == drives.front().max;
     limited = limited && std::isfinite(drive.max);
   }
-  if (one_kind && one_max)
-    return drives.front().turns ? GripUnit::newton_metre : GripUnit::newton;
+  if (one_kind && one_max) return drives.front().turns ? GripUnit::newton_metre : GripUnit::newton;
   if (!limited)
     throw InvalidGrasp("drives", one_kind ? "have different max, then each must have one"
                                           : "push and turn, then each must have a max");
@@ -162,14 +173,19 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
   Hold<Dim> hold;
   hold.holdable = true;
   write_balance(hand, weight, cones, forces, hold);
+  // Where nothing has an inside, or takes more than the cap, the least effort decides.
+  if (hold.effort > cap * cap || !is_fair(hand, weight, hold)) {
+    hold = poise::hold(hand, load, weight, Twist<Dim>(Twist<Dim>::Zero()), settings);
+    if (!hold.holdable) return hold;
+  }
 
   hold.objective = Objective::grip;
   const dual::GripCut<Dim> cut = dual::grip_cut(cones, least, settings.force_cap);
   hold.rates.resize(cut.rates.size());
   for (std::size_t a = 0; a < cut.rates.size(); ++a) hold.rates[a] = cut.rates[a] / cut.rate_sum;
   hold.dual = about_origin(scaled, unit / weight / cut.rate_sum, cut.y);
-  hold.lower_bound = std::clamp(grip_bound(hand, load, hold.dual, hold.rates, cap), 0.0,
-                                grip(hand, hold));
+  hold.lower_bound =
+      std::clamp(grip_bound(hand, load, hold.dual, hold.rates, cap), 0.0, grip(hand, hold));
   return hold;
 }
 
@@ -181,8 +197,7 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<
 }
 
 template <int Dim>
-Hold<Dim> least_grip(const Grasp<Dim>& grasp, const Vector<Dim>& up,
-                     const HoldSettings& settings) {
+Hold<Dim> least_grip(const Grasp<Dim>& grasp, const Vector<Dim>& up, const HoldSettings& settings) {
   Hold<Dim> most = least_grip(grasp, grasp.loads().front(), up, settings);
   for (std::size_t k = 1; k < grasp.loads().size() && most.holdable; ++k) {
     Hold<Dim> other = least_grip(grasp, grasp.loads()[k], up, settings);
@@ -191,17 +206,17 @@ Hold<Dim> least_grip(const Grasp<Dim>& grasp, const Vector<Dim>& up,
   return most;
 }
 
-#define POISE_INSTANTIATE(Dim)                                                                    \
-  template GripUnit grip_unit(const Hand<Dim>&);                                                  \
-  template double most_grip(const Hand<Dim>&);                                                    \
-  template std::vector<DriveEffort> drive_efforts(const Hand<Dim>&, const Hold<Dim>&);            \
-  template double grip(const Hand<Dim>&, const Hold<Dim>&);                                       \
-  template double grip_bound(const Hand<Dim>&, const Wrench<Dim>&, const Twist<Dim>&,             \
-                             const SmallVector<double, 4>&, double);                              \
-  template Hold<Dim> least_grip(const Hand<Dim>&, const Wrench<Dim>&, double,                     \
-                                const HoldSettings&);                                             \
-  template Hold<Dim> least_grip(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,           \
-                                const HoldSettings&);                                             \
+#define POISE_INSTANTIATE(Dim)                                                          \
+  template GripUnit grip_unit(const Hand<Dim>&);                                        \
+  template double most_grip(const Hand<Dim>&);                                          \
+  template std::vector<DriveEffort> drive_efforts(const Hand<Dim>&, const Hold<Dim>&);  \
+  template double grip(const Hand<Dim>&, const Hold<Dim>&);                             \
+  template double grip_bound(const Hand<Dim>&, const Wrench<Dim>&, const Twist<Dim>&,   \
+                             const SmallVector<double, 4>&, double);                    \
+  template Hold<Dim> least_grip(const Hand<Dim>&, const Wrench<Dim>&, double,           \
+                                const HoldSettings&);                                   \
+  template Hold<Dim> least_grip(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&, \
+                                const HoldSettings&);                                   \
   template Hold<Dim> least_grip(const Grasp<Dim>&, const Vector<Dim>&, const HoldSettings&);
 POISE_INSTANTIATE(2)
 POISE_INSTANTIATE(3)
