@@ -85,7 +85,8 @@ TEST(LeastGrip, OfVJawsIsAtMostTheRuleOfThumb) {
       contacts.push_back(finger(Vector<3>(side, up, 0) * 0.01414214, Vector<3>(-side, -up, 0), 0.2,
                                 side < 0 ? "left" : "right"));
   const Grasp<3> grasp({.weight = standard}, contacts, 2);
-  const double rule = standard * 2 * std::sin(pi / 4) / (2 * 0.2), least_force = least<3>(grasp, {0, 0, 1});
+  const double rule = standard * 2 * std::sin(pi / 4) / (2 * 0.2),
+               least_force = least<3>(grasp, {0, 0, 1});
   EXPECT_LE(least_force, rule);
   EXPECT_NEAR(least_force, 34.49794, 1e-4);  // a cone solver that shares no code
   EXPECT_NEAR((grasp.closing(0) - Vector<3>(1, 0, 0)).norm(), 0, 1e-15);
@@ -97,7 +98,8 @@ TEST(LeastGrip, OfANoseConeInFiveFingersIsThePublishedOne) {
   for (int k = 0; k < 5; ++k) {
     // On z = x^2 + y^2, round the axis x = 0.3 of the fingers.
     const Vector<2> at = Vector<2>(0.3, 0) + direction(2 * pi * (k + 1) / 5);
-    contacts.push_back(finger({at.x(), at.y(), at.squaredNorm()}, {-2 * at.x(), -2 * at.y(), 1}, 0.3));
+    contacts.push_back(
+        finger({at.x(), at.y(), at.squaredNorm()}, {-2 * at.x(), -2 * at.y(), 1}, 0.3));
   }
   const Grasp<3> grasp({.weight = 1}, contacts);
   EXPECT_NEAR(least<3>(grasp, {0, 0, 1}), 0.49108896, 2e-8);
@@ -112,11 +114,11 @@ TEST(LeastGrip, OfJointsIsATorque) {
   for (const double side : {-1.0, 1.0}) {
     // About (side 0.02, -0.06), closing inwards: v = -omega x through.
     const double omega = side;
-    pins.drives.push_back({side < 0 ? "left pin" : "right pin",
-                           {{side < 0 ? "left" : "right",
-                             {-omega * 0.06, -omega * side * 0.02, omega}}},
-                           2,
-                           true});
+    pins.drives.push_back(
+        {side < 0 ? "left pin" : "right pin",
+         {{side < 0 ? "left" : "right", {-omega * 0.06, -omega * side * 0.02, omega}}},
+         2,
+         true});
   }
   const Grasp<2> grasp({.weight = 10}, contacts, 1, pins);
   EXPECT_EQ(grip_unit(grasp), GripUnit::newton_metre);
@@ -268,11 +270,13 @@ RC_GTEST_PROP(LeastGrip, OfRandomPlanarGraspsIsProven, ()) {
 }
 
 RC_GTEST_PROP(LeastGrip, OfRandomSpatialGraspsIsProven, ()) {
-  const space::Held held = *space::grasps({.least_contacts = 2, .most_contacts = 6, .awkward = false});
+  const space::Held held =
+      *space::grasps({.least_contacts = 2, .most_contacts = 6, .awkward = false});
   check_least_grip<3>(held.grasp(), space::random_direction());
 }
 
-/// Thin cones, frictionless contacts in space: what holds may be known to fewer digits, not wrongly.
+/// Thin cones, frictionless contacts in space: what holds may be known to fewer digits, not
+/// wrongly.
 RC_GTEST_PROP(LeastGrip, OfAwkwardGraspsIsNeverBelowItsBound, ()) {
   const space::Held held = *space::grasps();
   const Grasp<3> grasp = held.grasp();

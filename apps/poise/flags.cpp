@@ -127,6 +127,16 @@ void Flags::domain(Question& question) {
         [&](const auto& text) { question.domain = read_domain(text); });
 }
 
+void Flags::objective(Question& question) {
+  value("--objective", "grip|effort",
+        "What is to be least: the grip, or the sum of squares of the forces",
+        [&](const auto& text) {
+          if (text != "grip" && text != "effort")
+            throw UsageError("--objective: " + in_quotes(text) + " must be grip or effort");
+          question.objective = text == "grip" ? Objective::grip : Objective::effort;
+        });
+}
+
 void Flags::force_cap(Question& question) {
   value(
       "--force-cap", "N", "Greatest force norm of a hold, in weights (1e6)", [&](const auto& text) {

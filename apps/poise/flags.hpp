@@ -57,6 +57,7 @@ class Flags {
   // The options of a question.
   void posture(Question& question, const std::string& posture = "Posture");
   void domain(Question& question);
+  void objective(Question& question);
   void force_cap(Question& question);
   void search(Question& question);  ///< domain, force cap, gap, holds: those of the best posture
 

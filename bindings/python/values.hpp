@@ -190,6 +190,21 @@ std::vector<Load<Dim>> read_loads(const py::object& source) {
   return loads;
 }
 
+/// A Pad, or None.
+inline std::optional<Pad> read_pad(py::handle source, const std::string& path) {
+  if (source.is_none()) return {};
+  Pad pad{.axis = read_vector<3>(source, "axis", path + "."),
+          .reach = read_vector<2>(source, "reach", path + ".")};
+  for (const py::handle point : source.attr("points"))
+    pad.points.push_back(sized<3>(point.cast<Eigen::VectorXd>(), path + ".points"));
+  pad.shares = source.attr("shares").cast<std::vector<double>>();
+  return pad;
+}
+inline py::object write(const std::optional<Pad>& pad) {
+  if (!pad) return py::none();
+  return type("Pad")(pad->points, pad->shares, pad->axis, pad->reach);
+}
+
 template <int Dim>
 std::vector<Contact<Dim>> read_contacts(const py::iterable& source) {
   std::vector<Contact<Dim>> contacts;
@@ -200,6 +215,8 @@ std::vector<Contact<Dim>> read_contacts(const py::iterable& source) {
     for_each_contact_field<Dim>([&]<class T>(const char* name, T Contact<Dim>::*field) {
       if constexpr (std::is_same_v<T, Vector<Dim>>)
         contact.*field = read_vector<Dim>(python, name, path);
+      else if constexpr (std::is_same_v<T, std::optional<Pad>>)
+        contact.*field = read_pad(python.attr(name), path + name);
       else
         contact.*field = python.attr(name).cast<T>();
     });
@@ -241,8 +258,12 @@ py::list write(const std::vector<Contact<Dim>>& contacts) {
   py::list list;
   for (const Contact<Dim>& contact : contacts) {
     py::dict fields;
-    for_each_contact_field<Dim>(
-        [&](const char* name, auto field) { fields[name] = contact.*field; });
+    for_each_contact_field<Dim>([&]<class T>(const char* name, T Contact<Dim>::*field) {
+      if constexpr (std::is_same_v<T, std::optional<Pad>>)
+        fields[name] = write(contact.*field);
+      else
+        fields[name] = contact.*field;
+    });
     list.append(python(**fields));
   }
   return list;

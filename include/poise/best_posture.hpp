@@ -61,7 +61,7 @@ template <int Dim>
 struct Proof;
 template <>
 struct Proof<2> {
-  PostureCurve curve;                ///< with its arcs and unholdable arcs
+  PostureCurve curve;               ///< with its arcs and unholdable arcs
   std::optional<Minimum<2>> worst;  ///< the posture of the domain that needs most
 };
 template <>

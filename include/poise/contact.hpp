@@ -10,12 +10,12 @@
 
 namespace poise {
 
-/// A compliant pad on a rigid finger, in space: its normal force N is spread in fixed parts over its
-/// points, of which each passes on a tangential force up to mu times its part of N. The centre of
-/// pressure may move within the pad, which leaves the friction as it is. docs/theory.md, "Pads".
+/// A compliant pad on a rigid finger, in space: its normal force N is spread in fixed parts over
+/// its points, of which each passes on a tangential force up to mu times its part of N. The centre
+/// of pressure may move within the pad, which leaves the friction as it is. docs/theory.md, "Pads".
 struct Pad {
-  std::vector<Vector<3>> points;  ///< from the contact's position [m], object frame
-  std::vector<double> shares;     ///< of N, one a point, > 0, sum 1
+  std::vector<Vector<3>> points;       ///< from the contact's position [m], object frame
+  std::vector<double> shares;          ///< of N, one a point, > 0, sum 1
   Vector<3> axis = Vector<3>::Zero();  ///< a direction in the pad's plane; any length but 0
   /// How far the centre of pressure may move from the mean of the points, along the axis and across
   /// it [m], >= 0.

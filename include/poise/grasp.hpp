@@ -9,8 +9,8 @@
 
 namespace poise {
 
-/// A hand with what acts on the object: one load, or several of which each must be held, with forces
-/// of its own. Immutable.
+/// A hand with what acts on the object: one load, or several of which each must be held, with
+/// forces of its own. Immutable.
 template <int Dim>
 class Grasp : public Hand<Dim> {
  public:

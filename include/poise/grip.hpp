@@ -16,6 +16,11 @@ enum class GripUnit {
 /// The unit's symbol: "N", "N m", "of max".
 const char* to_string(GripUnit unit);
 
+/// Whether a hand has a grip: every finger that a drive closes has a closing direction, and the
+/// drives can be compared.
+template <int Dim>
+bool has_grip(const Hand<Dim>& hand);
+
 /// In what the grip of a hand is told.
 /// @throws InvalidGrasp where drives are of different kinds, or of different max, and one has none;
 ///         or a finger that a drive closes has no closing direction
@@ -50,9 +55,9 @@ double grip_bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Di
                   const SmallVector<double, 4>& rates, double force_norm);
 
 /// The hold of least grip, and of least effort among those, against a wrench about the object
-/// frame's origin [N, N m]. The limits of contacts count, those of the drives do not: where the grip
-/// is above most_grip(), they cannot hold it. `dual` and `rates` of the hold prove lower_bound, on
-/// the grip.
+/// frame's origin [N, N m]. The limits of contacts count, those of the drives do not: where the
+/// grip is above most_grip(), they cannot hold it. `dual` and `rates` of the hold prove
+/// lower_bound, on the grip.
 /// @param weight  the unit of the force cap and of the balance tolerance [N], > 0
 /// @throws InvalidGrasp as grip_unit(), or where a number is not finite
 template <int Dim>

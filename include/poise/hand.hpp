@@ -29,11 +29,11 @@ class InvalidGrasp : public std::invalid_argument {
 template <int Dim>
 struct Finger {
   std::string name;  ///< the label of its contacts
-  /// The direction in which it pushes, object frame, any length. Zero: the mean of the inward normals
-  /// of its contacts by their shares.
+  /// The direction in which it pushes, object frame, any length. Zero: the mean of the inward
+  /// normals of its contacts by their shares.
   Vector<Dim> closing = Vector<Dim>::Zero();
-  /// Of its pressing force, where drives are not listed [N], > 0; the least of coupled fingers limits
-  /// their drive.
+  /// Of its pressing force, where drives are not listed [N], > 0; the least of coupled fingers
+  /// limits their drive.
   double max_force{std::numeric_limits<double>::infinity()};
 
   bool operator==(const Finger&) const = default;  ///< field by field

@@ -60,6 +60,7 @@ const char* to_string(Objective objective);
 /// What still counts as a hold.
 struct HoldSettings {
   double force_cap{1e6};  ///< [weights]: a load that needs a greater force norm is unholdable
+  Objective objective{Objective::effort};  ///< what the forces are to be least in
 };
 
 /// The least contact forces in one posture, or the proof that the object cannot be held.
@@ -78,16 +79,22 @@ struct Hold {
   double lower_bound{0};  ///< on the effort, by `dual` [N^2]
   double residual{0};     ///< balance error: the larger of force / W and moment / (W L)
   SmallVector<ContactForce<Dim>, 16> forces;  ///< one for each contact; empty where unholdable
-  Objective objective{Objective::effort};  ///< on which lower_bound is
+  Objective objective{Objective::effort};     ///< in which the forces are least, and lower_bound is
+  double grip{0};                             ///< of objective grip: F of the forces [grip_unit()]
   /// Of the drives, >= 0, where they say something: docs/theory.md, (9) and (10).
   SmallVector<double, 4> rates;
+
+  /// What is least: V or F.
+  double value() const { return objective == Objective::grip ? grip : effort; }
 };
 
-/// The hold of least effort in the posture `up` (unit vector against gravity, object frame), against
-/// the load that needs most.
+/// The hold of least effort in the posture `up` (unit vector against gravity, object frame),
+/// against the load that needs most.
 ///
 /// Minimises sum |f_i|^2 / share_i over forces in the friction cones that balance the load:
-/// the paper's evaluation function (12), for any contacts. Allocates nothing up to 16 contacts.
+/// the paper's evaluation function (12), for any contacts. Allocates nothing up to 16 contacts,
+/// but for pads and limits of drives. With objective grip it is least_grip() within the drives'
+/// max.
 /// @throws InvalidGrasp where `up` is no unit vector or the force cap is out of its range
 template <int Dim>
 Hold<Dim> hold(const Grasp<Dim>& grasp, const Vector<Dim>& up, const HoldSettings& settings = {});
@@ -118,7 +125,7 @@ double bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Dim>& y
 /// What one finger does with all its contacts.
 template <int Dim>
 struct FingerForce {
-  double normal{0};                         ///< sum of the normal forces [N]
+  double normal{0};  ///< sum of the normal forces [N]
   /// The part of the force along the closing direction [N]; 0 where there is none.
   double pressing{0};
   Vector<Dim> force = Vector<Dim>::Zero();  ///< on the object, object frame [N]
@@ -141,8 +148,8 @@ template <int Dim>
 bool all_loaded(const Hand<Dim>& hand, const Hold<Dim>& hold, double weight);
 
 /// Why an unholdable load cannot be held, in words: the motion that it drives and no contact
-/// opposes ("it would turn clockwise about (0.1, 0) m"); in space also "it would turn about the line
-/// through contacts 0 and 1".
+/// opposes ("it would turn clockwise about (0.1, 0) m"); in space also "it would turn about the
+/// line through contacts 0 and 1".
 std::string reason(const Hand<2>& hand, const Hold<2>& hold);
 std::string reason(const Hand<3>& hand, const Hold<3>& hold);
 

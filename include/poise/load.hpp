@@ -17,8 +17,8 @@ struct Load {
   /// origin: what the contacts must supply beside the weight.
   Wrench<Dim> fixed = Wrench<Dim>::Zero();
 
-  /// The wrench that the contacts must supply in the posture `up` (unit vector, object frame), about
-  /// the object frame's origin [N, N m]: w = W (up, com x up) + fixed.
+  /// The wrench that the contacts must supply in the posture `up` (unit vector, object frame),
+  /// about the object frame's origin [N, N m]: w = W (up, com x up) + fixed.
   Wrench<Dim> at(const Vector<Dim>& up) const;
 
   bool operator==(const Load&) const = default;  ///< field by field

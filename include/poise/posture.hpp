@@ -51,8 +51,7 @@ template <int Dim>
 struct Posture {
   Vector<Dim> up = Vector<Dim>::Zero();  ///< unit vector against gravity, object frame
   std::vector<Hold<Dim>> holds;          ///< one for each load
-  /// Index of the load that decides: the first that cannot be held, else the one that needs the
-  /// greatest effort.
+  /// Index of the load that decides: the first that cannot be held, else the one that needs most.
   std::size_t decides{0};
   Manner manner{Manner::resting};  ///< against the load that decides; resting where unholdable
   double grip_force{0};            ///< against the load that decides [N]
@@ -61,6 +60,10 @@ struct Posture {
   const Hold<Dim>& hold() const { return holds[decides]; }
   /// Whether all loads are held.
   bool holdable() const { return hold().holdable; }
+  /// V or F of the hold that decides; infinite where unholdable.
+  double value() const {
+    return holdable() ? hold().value() : std::numeric_limits<double>::infinity();
+  }
   /// V of the hold that decides [N^2]; infinite where unholdable.
   double effort() const {
     return holdable() ? hold().effort : std::numeric_limits<double>::infinity();

@@ -92,7 +92,8 @@ PostureOption option_of(const Question& question) {
 template <int Dim>
 HoldAnswer<Dim> hold_in_posture(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                                 const Question& question) {
-  const HoldSettings settings{.force_cap = question.force_cap};
+  const HoldSettings settings{.force_cap = question.force_cap,
+                              .objective = question.objective.value_or(file.objective)};
   HoldAnswer<Dim> answer{option_of(question), settings,
                          posture_at(grasp, up_of<Dim>(file, question), settings)};
   if constexpr (Dim == 2) answer.angle = angle(file, question);

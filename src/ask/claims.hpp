@@ -25,6 +25,7 @@ inline Words words_of(Manner) { return {"resting", "cradled", "pinched"}; }
 inline Words words_of(Kind) { return {"boundary", "kink", "smooth"}; }
 inline Words words_of(Status) { return {"optimal", "gap", "unholdable"}; }
 inline Words words_of(Domain) { return {"all", "pinched"}; }
+inline Words words_of(Objective) { return {"grip", "effort"}; }
 inline Words words_of(Extremum) { return {"min", "max"}; }
 
 // Parts that are told as the library has them.
@@ -54,9 +55,10 @@ template <int Dim>
 struct ContactClaim {
   std::string finger;
   double friction_used{0}, normal_force{0};
-  double tangential_force{0};              ///< in space its size
-  std::optional<double> torsion_moment{};  ///< of a soft finger
-  Vector<Dim> force;                       ///< object frame
+  double tangential_force{0};                     ///< in space its size
+  std::optional<double> torsion_moment{};         ///< of a soft finger
+  Vector<Dim> force;                              ///< object frame
+  std::optional<Vector<3>> center_of_pressure{};  ///< of a pad, object frame
   ContactState state{};
   ForceLimit limit{};
 
@@ -64,7 +66,9 @@ struct ContactClaim {
     visit("finger", finger, "friction_used", friction_used, "normal_force", normal_force);
     visit("tangential_force", tangential_force);
     visit.maybe("torsion_moment", torsion_moment);
-    visit("force", force, "state", state, "limit", limit);
+    visit("force", force);
+    visit.maybe("center_of_pressure", center_of_pressure);
+    visit("state", state, "limit", limit);
   }
 };
 
@@ -72,10 +76,22 @@ template <int Dim>
 struct FingerClaim {
   std::string finger;
   double normal_force{0};
+  std::optional<double> pressing_force{};  ///< null without a closing direction
   Vector<Dim> force;
 
   void fields(auto& visit) {
-    visit("finger", finger, "normal_force", normal_force, "force", force);
+    visit("finger", finger, "normal_force", normal_force, "pressing_force", pressing_force);
+    visit("force", force);
+  }
+};
+
+struct DriveClaim {
+  std::string name;
+  double effort{0};
+  std::optional<double> max{}, part_of_max{};  ///< null where nothing limits it
+
+  void fields(auto& visit) {
+    visit("name", name, "effort", effort, "max", max, "part_of_max", part_of_max);
   }
 };
 
@@ -87,14 +103,18 @@ struct HoldClaim {
   double angle_deg{0};                                    ///< in the plane
   std::optional<std::size_t> scenario{};                  ///< that decides, where there are several
   std::vector<std::optional<double>> scenario_efforts{};  ///< null: cannot be held
-  std::vector<std::optional<HoldClaim>> scenario_holds;  ///< null: this one, or cannot be held
-  Twist<Dim> dual;
+  std::vector<std::optional<HoldClaim>> scenario_holds;   ///< null: this one, or cannot be held
+  Objective objective{Objective::effort};
+  Twist<Dim> dual;                             ///< told as `y` for the grip
+  std::optional<std::vector<double>> rates{};  ///< of the drives, where they say something
   double lower_bound{0};
   std::string reason{};  ///< where unholdable; then nothing of what follows
   double effort{0}, force_norm{0}, residual{0};
   Manner manner{};
   bool all_loaded{false};
   double grip_force{0};
+  std::optional<double> grip{};  ///< null where fingers have no closing direction
+  std::vector<DriveClaim> drives{};
   std::vector<FingerClaim<Dim>> fingers{};
   std::vector<ContactClaim<Dim>> contacts{};
 
@@ -103,10 +123,13 @@ struct HoldClaim {
     if constexpr (Dim == 2) visit("angle_deg", angle_deg);
     visit.maybe("scenario", scenario);
     if (scenario) visit("scenario_efforts", scenario_efforts, "scenario_holds", scenario_holds);
-    visit("dual", dual, "lower_bound", lower_bound);
+    visit("objective", objective);
+    visit(objective == Objective::grip ? "y" : "dual", dual);
+    visit.maybe("rates", rates);
+    visit("lower_bound", lower_bound);
     if (!holdable) return visit("reason", reason);
     visit("effort", effort, "force_norm", force_norm, "residual", residual, "manner", manner);
-    visit("all_loaded", all_loaded, "grip_force", grip_force);
+    visit("all_loaded", all_loaded, "grip_force", grip_force, "grip", grip, "drives", drives);
     visit("fingers", fingers, "contacts", contacts);
   }
 };
@@ -165,6 +188,7 @@ struct RotationClaim {
 struct OptionsClaim {
   std::optional<Domain> domain{};
   double force_cap{0};  ///< [weights]
+  std::optional<Objective> objective{};
   std::optional<double> gap{};
   std::optional<int> max_holds{};
   std::optional<Tilt> tilt{};
@@ -175,7 +199,8 @@ struct OptionsClaim {
   void fields(auto& visit) {
     visit.maybe("domain", domain);
     visit("force_cap", force_cap);
-    visit.maybe("gap", gap, "max_holds", max_holds, "tilt", tilt, "orientation", orientation);
+    visit.maybe("objective", objective, "gap", gap, "max_holds", max_holds, "tilt", tilt,
+                "orientation", orientation);
     visit.maybe("safety", safety, "angle_deg", angle_deg, "up", up);
   }
 };

@@ -6,6 +6,7 @@
 #include "files/grasp_writer.hpp"
 #include "files/json_text.hpp"
 #include "files/json_value.hpp"
+#include "poise/grip.hpp"
 #include "poise/turn.hpp"
 
 namespace poise {
@@ -32,10 +33,24 @@ std::vector<ContactClaim<Dim>> contact_claims(const Hand<Dim>& hand, const Hold<
       claims[i].tangential_force = force.tangential;
     } else {
       claims[i].tangential_force = force.tangential.norm();
-      if (contact.torsion > 0) claims[i].torsion_moment = force.torsion_moment;
+      if (contact.torsion > 0 || contact.pad) claims[i].torsion_moment = force.torsion_moment;
+      if (contact.pad) claims[i].center_of_pressure = contact.position + force.center_of_pressure;
     }
   }
   return claims;
+}
+
+template <int Dim>
+void add_drives(HoldClaim<Dim>& claim, const Hand<Dim>& hand, const Hold<Dim>& hold) {
+  if (!has_grip(hand)) return;
+  claim.grip = grip(hand, hold);
+  const std::vector<Drive<Dim>> drives = hand.drives();
+  const std::vector<DriveEffort> efforts = drive_efforts(hand, hold);
+  for (std::size_t a = 0; a < drives.size(); ++a) {
+    const std::optional<double> max = finite(drives[a].max);
+    claim.drives.push_back({drives[a].name, efforts[a].effort, max,
+                            max ? std::optional(efforts[a].part_of_max) : std::nullopt});
+  }
 }
 
 template <int Dim>
@@ -45,7 +60,9 @@ HoldClaim<Dim> hold_claim(const Hand<Dim>& hand, double weight, const Vector<Dim
   claim.holdable = hold.holdable;
   claim.up = up;
   if constexpr (Dim == 2) claim.angle_deg = degrees(angle_of(up));
+  claim.objective = hold.objective;
   claim.dual = hold.dual;
+  if (!hold.rates.empty()) claim.rates.emplace(hold.rates.begin(), hold.rates.end());
   claim.lower_bound = hold.lower_bound;
   if (!hold.holdable) {
     claim.reason = reason(hand, hold);
@@ -59,7 +76,11 @@ HoldClaim<Dim> hold_claim(const Hand<Dim>& hand, double weight, const Vector<Dim
   claim.grip_force = grip_force(hand, hold);
   const std::vector<FingerForce<Dim>> fingers = finger_forces(hand, hold);
   for (std::size_t k = 0; k < fingers.size(); ++k)
-    claim.fingers.push_back({hand.fingers()[k], fingers[k].normal, fingers[k].force});
+    claim.fingers.push_back(
+        {hand.fingers()[k], fingers[k].normal,
+         hand.closing(k).isZero(0) ? std::nullopt : std::optional(fingers[k].pressing),
+         fingers[k].force});
+  add_drives(claim, hand, hold);
   claim.contacts = contact_claims(hand, hold);
   return claim;
 }
@@ -78,7 +99,7 @@ HoldClaim<Dim> hold_claim(const Grasp<Dim>& grasp, const Posture<Dim>& posture) 
   claim.scenario = posture.decides;
   for (std::size_t k = 0; k < loads.size(); ++k) {
     const Hold<Dim>& hold = posture.holds[k];
-    claim.scenario_efforts.push_back(hold.holdable ? finite(hold.effort) : std::nullopt);
+    claim.scenario_efforts.push_back(hold.holdable ? finite(hold.value()) : std::nullopt);
     claim.scenario_holds.emplace_back();
     if (k != posture.decides && hold.holdable)
       claim.scenario_holds.back() = hold_claim<Dim>(grasp, loads[k].weight, posture.up, hold,
@@ -247,7 +268,7 @@ template <class Claim>
 Json brief(Claim claim) {
   Json json = json_of(claim);
   if (json.is_null()) return json;
-  for (const char* const key : {"dual", "residual", "contacts"}) json.erase(key);
+  for (const char* const key : {"dual", "y", "rates", "residual", "drives", "contacts"}) json.erase(key);
   return json;
 }
 
@@ -282,7 +303,9 @@ void add_posture(Json& result, const SpatialFile& file, const Grasp<3>& grasp) {
 template <int Dim>
 HoldDocument<Dim> claims_of(const Grasp<Dim>& grasp, const HoldAnswer<Dim>& answer) {
   HoldDocument<Dim> claim{hold_claim(grasp, answer.posture)};
-  claim.options = {.force_cap = answer.settings.force_cap, .angle_deg = answer.option.angle_deg};
+  claim.options = {.force_cap = answer.settings.force_cap,
+                   .objective = answer.settings.objective,
+                   .angle_deg = answer.option.angle_deg};
   if (!answer.option.up.empty()) claim.options.up = answer.option.up;
   if (answer.angle) claim.angle_deg = degrees(*answer.angle);
   if (answer.option.angle_deg) claim.angle_deg = *answer.option.angle_deg;  // to the last digit

@@ -17,6 +17,7 @@ struct Question {
   std::optional<double> angle_deg{};  ///< the posture in the plane, as it was given
   std::vector<double> up{};           ///< or its direction, as it was given: 2 or 3 numbers
   std::optional<Domain> domain{};     ///< in the plane
+  std::optional<Objective> objective{};
   double force_cap{HoldSettings{}.force_cap};  ///< in weights of the heaviest load
   std::optional<double> gap{};                 ///< in space, as are all below but the safety
   std::optional<int> max_holds{};

@@ -1,5 +1,6 @@
-// A pad: one normal force N in fixed parts s_k over its points, tangential forces |t_k| <= mu s_k N,
-// and moments |m_c| <= reach_c N about the axes in its plane. docs/theory.md, "Pads". Not installed.
+// A pad: one normal force N in fixed parts s_k over its points, tangential forces |t_k| <= mu s_k
+// N, and moments |m_c| <= reach_c N about the axes in its plane. docs/theory.md, "Pads". Not
+// installed.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -27,8 +28,8 @@ struct PadFrame {
         square += pad.shares[k] * x * x;
       }
       // Points in a row across the axis: as if they were spread evenly over the reach.
-      gyration[c] = std::sqrt(square) > 1e-6 * reach[c] ? std::sqrt(square)
-                                                         : reach[c] / std::sqrt(3.0);
+      gyration[c] =
+          std::sqrt(square) > 1e-6 * reach[c] ? std::sqrt(square) : reach[c] / std::sqrt(3.0);
     }
   }
   std::array<Vector<3>, 2> axes;

@@ -25,7 +25,8 @@ using Slide = dual::Slide<Real>;
 template <int Dim>
 std::vector<Slide> slides(const Hand<Dim>& hand, const Twist<Dim>& y) {
   std::vector<Slide> result;
-  for (const Contact<Dim>& contact : hand.contacts()) result.push_back(dual::slide<Real>(contact, y));
+  for (const Contact<Dim>& contact : hand.contacts())
+    result.push_back(dual::slide<Real>(contact, y));
   return result;
 }
 
@@ -157,7 +158,8 @@ class WeightSearch {
   }
 
   bool empty() const {
-    return range_.greatest.bound <= dual::delta * strength_ || range_.greatest.bound < range_.least.bound;
+    return range_.greatest.bound <= dual::delta * strength_ ||
+           range_.greatest.bound < range_.least.bound;
   }
 
   bool probe(WeightEnd<Dim>& end, Hold<Dim>& hold, double weight) {
@@ -251,9 +253,7 @@ class WeightSearch {
 template <int Dim>
 class FrictionSearch {
  public:
-  explicit FrictionSearch(const Question<Dim>& asked) : asked_(asked) {
-    found_.factor = infinity;
-  }
+  explicit FrictionSearch(const Question<Dim>& asked) : asked_(asked) { found_.factor = infinity; }
 
   LeastFriction<Dim> run() {
     probe(1);
@@ -356,14 +356,14 @@ Capacity<Dim> capacity(const Hand<Dim>& hand, const Load<Dim>& load, const Vecto
           asked.posture(std::move(safe), load.weight)};
 }
 
-#define POISE_INSTANTIATE(Dim)                                                                      \
-  template WeightRange<Dim> weight_range(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,    \
-                                         const HoldSettings&);                                      \
-  template std::vector<Deciding> deciding(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,   \
-                                          const Twist<Dim>&, const HoldSettings&);                  \
-  template LeastFriction<Dim> least_friction(const Hand<Dim>&, const Load<Dim>&,                    \
-                                             const Vector<Dim>&, const HoldSettings&);              \
-  template Capacity<Dim> capacity(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&, double,   \
+#define POISE_INSTANTIATE(Dim)                                                                    \
+  template WeightRange<Dim> weight_range(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,  \
+                                         const HoldSettings&);                                    \
+  template std::vector<Deciding> deciding(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&, \
+                                          const Twist<Dim>&, const HoldSettings&);                \
+  template LeastFriction<Dim> least_friction(const Hand<Dim>&, const Load<Dim>&,                  \
+                                             const Vector<Dim>&, const HoldSettings&);            \
+  template Capacity<Dim> capacity(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&, double, \
                                   const HoldSettings&);
 POISE_INSTANTIATE(2)
 POISE_INSTANTIATE(3)

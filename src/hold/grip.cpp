@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "dual/exact.hpp"
 #include "dual/twist.hpp"
@@ -50,6 +52,32 @@ double effort_of(const Hand<Dim>& hand, const Drive<Dim>& drive,
   return effort;
 }
 
+/// Drives whose efforts are compared as they are.
+template <int Dim>
+bool are_alike(const std::vector<Drive<Dim>>& drives) {
+  return std::all_of(drives.begin(), drives.end(), [&](const Drive<Dim>& drive) {
+    return drive.turns == drives.front().turns && drive.max == drives.front().max;
+  });
+}
+
+/// Why a hand has no grip.
+template <int Dim>
+std::optional<InvalidGrasp> problem_of(const Hand<Dim>& hand) {
+  if (hand.mechanism().kind != DriveKind::listed)
+    for (std::size_t k = 0; k < hand.fingers().size(); ++k)
+      if (hand.closing(k).isZero(0))
+        return InvalidGrasp("fingers." + hand.fingers()[k] + ".closing",
+                            "must be given: the normals of its contacts cancel each other");
+  const std::vector<Drive<Dim>> drives = hand.drives();
+  if (are_alike(drives)) return {};
+  for (std::size_t a = 0; a < drives.size(); ++a)
+    if (!std::isfinite(drives[a].max))
+      return InvalidGrasp(
+          "drives[" + std::to_string(a) + "].max",
+          "must be given: the drives are of different kinds, or have different max");
+  return {};
+}
+
 /// Whether forces balance the load within their limits.
 template <int Dim>
 bool is_fair(const Hand<Dim>& hand, double weight, const Hold<Dim>& hold) {
@@ -67,7 +95,8 @@ template <int Dim>
 Hold<Dim> unlimited_hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight,
                          const dual::Balance<Dim>& ended, const HoldSettings& settings) {
   if (!hand.is_general())
-    return hold<Dim>(hand, load, weight, Twist<Dim>(Twist<Dim>::Zero()), settings);
+    return hold<Dim>(hand, load, weight, Twist<Dim>(Twist<Dim>::Zero()),
+                     {.force_cap = settings.force_cap});
   Hold<Dim> none;
   none.holdable = ended.state == dual::Balance<Dim>::State::open && ended.error < most_error;
   const double cap = settings.force_cap * weight;
@@ -94,24 +123,16 @@ const char* to_string(Objective objective) {
 }
 
 template <int Dim>
+bool has_grip(const Hand<Dim>& hand) {
+  return !problem_of(hand);
+}
+
+template <int Dim>
 GripUnit grip_unit(const Hand<Dim>& hand) {
+  if (const auto problem = problem_of(hand)) throw *problem;
   const std::vector<Drive<Dim>> drives = hand.drives();
-  if (hand.mechanism().kind != DriveKind::listed)
-    for (std::size_t k = 0; k < hand.fingers().size(); ++k)
-      if (hand.closing(k).isZero(0))
-        throw InvalidGrasp("fingers." + hand.fingers()[k] + ".closing",
-                           "must be given: the normals of its contacts cancel each other");
-  bool one_kind = true, one_max = true, limited = true;
-  for (const Drive<Dim>& drive : drives) {
-    one_kind = one_kind && drive.turns == drives.front().turns;
-    one_max = one_max && drive.max == drives.front().max;
-    limited = limited && std::isfinite(drive.max);
-  }
-  if (one_kind && one_max) return drives.front().turns ? GripUnit::newton_metre : GripUnit::newton;
-  if (!limited)
-    throw InvalidGrasp("drives", one_kind ? "have different max, then each must have one"
-                                          : "push and turn, then each must have a max");
-  return GripUnit::part_of_max;
+  if (!are_alike(drives)) return GripUnit::part_of_max;
+  return drives.front().turns ? GripUnit::newton_metre : GripUnit::newton;
 }
 
 template <int Dim>
@@ -175,7 +196,8 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
   write_balance(hand, weight, cones, forces, hold);
   // Where nothing has an inside, or takes more than the cap, the least effort decides.
   if (hold.effort > cap * cap || !is_fair(hand, weight, hold)) {
-    hold = poise::hold(hand, load, weight, Twist<Dim>(Twist<Dim>::Zero()), settings);
+    hold = poise::hold(hand, load, weight, Twist<Dim>(Twist<Dim>::Zero()),
+                       {.force_cap = settings.force_cap});
     if (!hold.holdable) return hold;
   }
 
@@ -184,8 +206,8 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
   hold.rates.resize(cut.rates.size());
   for (std::size_t a = 0; a < cut.rates.size(); ++a) hold.rates[a] = cut.rates[a] / cut.rate_sum;
   hold.dual = about_origin(scaled, unit / weight / cut.rate_sum, cut.y);
-  hold.lower_bound =
-      std::clamp(grip_bound(hand, load, hold.dual, hold.rates, cap), 0.0, grip(hand, hold));
+  hold.grip = grip(hand, hold);
+  hold.lower_bound = std::clamp(grip_bound(hand, load, hold.dual, hold.rates, cap), 0.0, hold.grip);
   return hold;
 }
 
@@ -201,12 +223,13 @@ Hold<Dim> least_grip(const Grasp<Dim>& grasp, const Vector<Dim>& up, const HoldS
   Hold<Dim> most = least_grip(grasp, grasp.loads().front(), up, settings);
   for (std::size_t k = 1; k < grasp.loads().size() && most.holdable; ++k) {
     Hold<Dim> other = least_grip(grasp, grasp.loads()[k], up, settings);
-    if (!other.holdable || grip(grasp, other) > grip(grasp, most)) most = std::move(other);
+    if (!other.holdable || other.grip > most.grip) most = std::move(other);
   }
   return most;
 }
 
 #define POISE_INSTANTIATE(Dim)                                                          \
+  template bool has_grip(const Hand<Dim>&);                                             \
   template GripUnit grip_unit(const Hand<Dim>&);                                        \
   template double most_grip(const Hand<Dim>&);                                          \
   template std::vector<DriveEffort> drive_efforts(const Hand<Dim>&, const Hold<Dim>&);  \

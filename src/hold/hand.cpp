@@ -1,5 +1,3 @@
-#include "poise/grasp.hpp"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <string_view>
 
 #include "dual/scaled_hand.hpp"
+#include "poise/grasp.hpp"
 
 namespace poise {
 namespace {
@@ -27,7 +26,8 @@ struct Place {
 
   std::string path() const {
     std::string path;
-    if (contact != static_cast<std::size_t>(-1)) path = "contacts[" + std::to_string(contact) + "].";
+    if (contact != static_cast<std::size_t>(-1))
+      path = "contacts[" + std::to_string(contact) + "].";
     path += field;
     if (component >= 0) path += "[" + std::to_string(component) + "]";
     return path;
@@ -103,9 +103,9 @@ void check(const Contact<Dim>& contact, std::size_t i) {
   if (max != std::numeric_limits<double>::infinity())
     check(max, max >= 0, {"max_normal", i}, "at least 0");
   if (max < contact.min_normal)
-    throw InvalidGrasp(Place{"max_normal", i}.path(), "is " + text(max) +
-                                                          ", must be at least min_normal, " +
-                                                          text(contact.min_normal));
+    throw InvalidGrasp(
+        Place{"max_normal", i}.path(),
+        "is " + text(max) + ", must be at least min_normal, " + text(contact.min_normal));
   check(contact.share, contact.share > 0 && contact.share <= 1, {"share", i},
         "above 0 and at most 1");
   const double torsion = contact.torsion;
@@ -132,8 +132,8 @@ Vector<Dim> unit(const Vector<Dim>& normal) {
   return plain ? Vector<Dim>(normal / std::sqrt(squared)) : Vector<Dim>(normal.stableNormalized());
 }
 
-/// Puts a pad into the plane across the normal, with an axis of length 1 and shares that add up to 1.
-/// The distance of its farthest point from the center.
+/// Puts a pad into the plane across the normal, with an axis of length 1 and shares that add up
+/// to 1. The distance of its farthest point from the center.
 double settle(Pad& pad, const Contact<3>& contact, const Vector<3>& center) {
   const Vector<3>& n = contact.normal;
   pad.axis = unit<3>(pad.axis);
@@ -261,8 +261,9 @@ void Hand<Dim>::check_mechanism() {
     if (!std::isfinite(finger.closing.squaredNorm()))
       throw InvalidGrasp(path + ".closing", "must be finite");
     if (mechanism_.kind == DriveKind::listed && std::isfinite(finger.max_force))
-      throw InvalidGrasp(path + ".max_force", "is given as well as a list of drives, must be `max` "
-                                              "of a drive");
+      throw InvalidGrasp(path + ".max_force",
+                         "is given as well as a list of drives, must be `max` "
+                         "of a drive");
     check_limit(finger.max_force, path + ".max_force");
   }
   if (mechanism_.kind != DriveKind::listed) return;

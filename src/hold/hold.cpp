@@ -18,10 +18,22 @@ Eigen::RowVector2d moment_of_force(const Vector<2>& at, const Eigen::Matrix<doub
   return at.x() * forces.row(1) - at.y() * forces.row(0);
 }
 Eigen::Matrix<double, 3, 4> moment_of_force(const Vector<3>& at,
-                                          const Eigen::Matrix<double, 6, 4>& forces) {
+                                            const Eigen::Matrix<double, 6, 4>& forces) {
   Eigen::Matrix<double, 3, 4> moments;
   for (int k = 0; k < 4; ++k) moments.col(k) = at.cross(forces.col(k).head<3>());
   return moments;
+}
+
+/// A grip that the drives cannot give is no hold.
+template <int Dim>
+Hold<Dim> within_drives(const Hand<Dim>& hand, Hold<Dim> hold) {
+  const double most = most_grip(hand);
+  if (!hold.holdable || hold.grip <= most) return hold;
+  hold.holdable = false;
+  hold.proven = hold.lower_bound > most;
+  hold.effort = hold.residual = hold.grip = 0;
+  hold.forces.resize(0);
+  return hold;
 }
 
 }  // namespace
@@ -29,6 +41,8 @@ Eigen::Matrix<double, 3, 4> moment_of_force(const Vector<3>& at,
 template <int Dim>
 Hold<Dim> hold(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
                const HoldSettings& settings) {
+  if (settings.objective == Objective::grip)
+    return within_drives(hand, least_grip(hand, load, up, settings));
   return solve<Dim>(hand, hand.scaled(), 1, load, up, settings);
 }
 
@@ -37,7 +51,7 @@ Hold<Dim> hold(const Grasp<Dim>& grasp, const Vector<Dim>& up, const HoldSetting
   Hold<Dim> most = hold(grasp, grasp.loads().front(), up, settings);
   for (std::size_t k = 1; k < grasp.loads().size() && most.holdable; ++k) {
     Hold<Dim> other = hold(grasp, grasp.loads()[k], up, settings);
-    if (!other.holdable || other.effort > most.effort) most = std::move(other);
+    if (!other.holdable || other.value() > most.value()) most = std::move(other);
   }
   return most;
 }
@@ -48,6 +62,8 @@ Hold<Dim> hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight, co
   if (!load.allFinite() || !y.allFinite())
     throw InvalidGrasp("load", "must be finite, like the twist to start at");
   if (!(weight > 0)) throw InvalidGrasp("weight", "must be above 0");
+  if (settings.objective == Objective::grip)
+    return within_drives(hand, least_grip(hand, load, weight, settings));
   if (hand.is_general()) return general_hold(hand, 1, load, weight, settings);
   const dual::Problem<Dim> problem(hand.scaled(), weight);
   const Wrench<Dim> w = scaled_wrench(problem.hand, weight, load);
@@ -63,7 +79,8 @@ double phi(const Hand<Dim>& hand, const Twist<Dim>& y) {
   if (hand.is_general()) return static_cast<double>(dual::phi<Dim>(hand, y));
   const dual::Problem<Dim> problem(hand.scaled(), 1);  // in newtons
   dual::Point<Dim> point(problem.size);
-  dual::evaluate<Dim, double>(problem, Wrench<Dim>::Zero(), about_center(problem.hand, 1, y), point);
+  dual::evaluate<Dim, double>(problem, Wrench<Dim>::Zero(), about_center(problem.hand, 1, y),
+                              point);
   return -point.value;
 }
 
@@ -170,7 +187,6 @@ bool force_closure(const Hand<Dim>& hand) {
   return hold<Dim>(cones, -inside, 1, Twist<Dim>::Zero()).holdable;
 }
 
-
 const char* to_string(ContactState state) {
   constexpr const char* names[] = {"unloaded", "sticking", "slipping"};
   return names[static_cast<int>(state)];
@@ -181,17 +197,17 @@ const char* to_string(ForceLimit limit) {
   return names[static_cast<int>(limit)];
 }
 
-#define POISE_INSTANTIATE(Dim)                                                                       \
-  template Hold<Dim> hold(const Grasp<Dim>&, const Vector<Dim>&, const HoldSettings&);               \
-  template Hold<Dim> hold(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,                    \
-                          const HoldSettings&);                                                      \
-  template Hold<Dim> hold(const Hand<Dim>&, const Wrench<Dim>&, double, const Twist<Dim>&,           \
-                          const HoldSettings&);                                                      \
-  template double phi(const Hand<Dim>&, const Twist<Dim>&);                                          \
-  template double bound(const Hand<Dim>&, const Wrench<Dim>&, const Twist<Dim>&);                    \
-  template std::vector<FingerForce<Dim>> finger_forces(const Hand<Dim>&, const Hold<Dim>&);          \
-  template double grip_force(const Hand<Dim>&, const Hold<Dim>&);                                    \
-  template bool all_loaded(const Hand<Dim>&, const Hold<Dim>&, double);                              \
+#define POISE_INSTANTIATE(Dim)                                                              \
+  template Hold<Dim> hold(const Grasp<Dim>&, const Vector<Dim>&, const HoldSettings&);      \
+  template Hold<Dim> hold(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,           \
+                          const HoldSettings&);                                             \
+  template Hold<Dim> hold(const Hand<Dim>&, const Wrench<Dim>&, double, const Twist<Dim>&,  \
+                          const HoldSettings&);                                             \
+  template double phi(const Hand<Dim>&, const Twist<Dim>&);                                 \
+  template double bound(const Hand<Dim>&, const Wrench<Dim>&, const Twist<Dim>&);           \
+  template std::vector<FingerForce<Dim>> finger_forces(const Hand<Dim>&, const Hold<Dim>&); \
+  template double grip_force(const Hand<Dim>&, const Hold<Dim>&);                           \
+  template bool all_loaded(const Hand<Dim>&, const Hold<Dim>&, double);                     \
   template bool force_closure(const Hand<Dim>&);
 POISE_INSTANTIATE(2)
 POISE_INSTANTIATE(3)

@@ -81,12 +81,12 @@ template <int Dim>
 Posture<Dim> posture_of(const Grasp<Dim>& grasp, const Vector<Dim>& up,
                         std::vector<Hold<Dim>> holds) {
   Posture<Dim> posture{.up = up, .holds = std::move(holds)};
-  const auto effort = [&](std::size_t k) {
+  const auto value = [&](std::size_t k) {
     const Hold<Dim>& hold = posture.holds[k];
-    return hold.holdable ? hold.effort : std::numeric_limits<double>::infinity();
+    return hold.holdable ? hold.value() : std::numeric_limits<double>::infinity();
   };
   for (std::size_t k = 1; k < posture.holds.size(); ++k)
-    if (effort(k) > effort(posture.decides)) posture.decides = k;
+    if (value(k) > value(posture.decides)) posture.decides = k;
   if (!posture.holdable()) return posture;
   posture.manner = manner(grasp, grasp.loads()[posture.decides], up, posture.hold());
   posture.grip_force = grip_force(grasp, posture.hold());

@@ -87,8 +87,11 @@ std::string weak_drives(const Hand<Dim>& hand, const Hold<Dim>& hold) {
   if (most == drives.size() || hold.rates[most] < 1e-9 * hold.dual.cwiseAbs().maxCoeff()) return {};
   std::ostringstream words;
   words.precision(4);
-  words << "the fingers would need more than their drives give: " << drives[most].name << " gives "
-        << drives[most].max << (drives[most].turns ? " N m" : " N") << " at most";
+  words << "the fingers would need more than their drives give: ";
+  if (hold.objective == Objective::grip)
+    words << "a grip of " << hold.lower_bound << ' ' << to_string(grip_unit(hand)) << ", where ";
+  words << drives[most].name << " gives " << drives[most].max
+        << (drives[most].turns ? " N m" : " N") << " at most";
   return words.str();
 }
 
@@ -118,9 +121,9 @@ inline void write_forces(const dual::Problem<3>& problem, const ContactLane<3>& 
   for (std::size_t k = 0; k < lane_size; ++k) beside[k] = std::sqrt(beside[k]);
   const LaneStates states(normal, beside / (c.mu * n), problem.weight);
   for (std::size_t k = 0; k < count; ++k)
-    forces[k] = {normal[k], {tangential[0][k], tangential[1][k], tangential[2][k]},
-                 moment[k], states.friction_used[k],
-                 states[k], ForceLimit::none,
+    forces[k] = {normal[k],        {tangential[0][k], tangential[1][k], tangential[2][k]},
+                 moment[k],        states.friction_used[k],
+                 states[k],        ForceLimit::none,
                  Vector<3>::Zero()};
 }
 

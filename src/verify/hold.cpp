@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "verify/checks.hpp"
 #include "verify/fork.hpp"
@@ -9,6 +10,13 @@ namespace poise::verify {
 namespace {
 
 constexpr Real most_off = 1e-11L;  ///< of the balance [weights]
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+/// What is least.
+template <int Dim>
+Real value(const HoldClaim<Dim>& hold) {
+  return hold.objective == Objective::grip ? hold.grip.value_or(0) : hold.effort;
+}
 
 template <int Dim>
 void check_posture(Verdict& verdict, const Path& place, const HoldClaim<Dim>& hold) {
@@ -60,6 +68,12 @@ void check_fingers(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                   std::abs(finger.normal_force - sum.normal), rounding * sum.size);
     verdict.check(here / "force", "force is the sum of its contacts'",
                   (real(finger.force) - sum.force).norm(), rounding * sum.size);
+    const Vec& closing = grasp.closing[k];
+    verdict.check(here / "pressing_force", "pressing_force is null without a closing direction",
+                  finger.pressing_force.has_value() == !closing.isZero(0));
+    verdict.check(here / "pressing_force", "pressing_force is that along the closing direction",
+                  std::abs(finger.pressing_force.value_or(0) - sum.force.dot(closing)),
+                  rounding * sum.size);
     hardest = std::max(hardest, sum.normal);
     if (is_beside(sum.normal, at_limit * load.weight, load.weight)) clear = false;
     all_loaded = all_loaded && sum.normal > at_limit * load.weight;
@@ -75,6 +89,81 @@ void check_fingers(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                            : cradled == Fork::yes ? hold.manner == Manner::cradled
                            : cradled == Fork::no  ? hold.manner == Manner::pinched
                                                   : hold.manner != Manner::resting));
+}
+
+/// Checks what the drives do, and the grip.
+template <int Dim>
+void check_drives(Verdict& verdict, const Path& place, const RealGrasp& grasp,
+                  const HoldClaim<Dim>& hold) {
+  const std::size_t count = grasp.drives.size();
+  const bool complete = hold.drives.size() == count && hold.grip.has_value() == (count > 0);
+  verdict.check(place / "drives", "there are as many drives as the grasp has, and their grip",
+                complete);
+  if (!complete || count == 0) return;
+  Real grip = 0, size = 0;
+  for (std::size_t a = 0; a < count; ++a) {
+    const RealDrive& drive = grasp.drives[a];
+    const DriveClaim& claim = hold.drives[a];
+    const Path here = (place / "drives")[a];
+    Real effort = 0, allowed = 0;
+    for (std::size_t i = 0; i < hold.contacts.size(); ++i)
+      for (const RealDrive::Moved& moved : drive.moves) {
+        const RealContact& contact = grasp.contacts[i];
+        if (moved.finger != contact.finger) continue;
+        Vec w = wrench(real(hold.contacts[i].force), contact.position);
+        if (contact.is_soft())
+          w.tail(3) += Real{hold.contacts[i].torsion_moment.value_or(0)} * contact.normal;
+        effort += moved.twist.dot(w);
+        allowed += moved.twist.norm() * w.norm();
+      }
+    verdict.check(here, "name is that of the drive", claim.name == drive.name);
+    verdict.check(here / "effort", "effort is the power of the forces per unit of speed",
+                  std::abs(claim.effort - effort), rounding * allowed);
+    const bool limited = std::isfinite(drive.max);
+    verdict.check(here / "max", "max and part_of_max are told where there is a limit",
+                  claim.max.has_value() == limited && claim.part_of_max.has_value() == limited);
+    if (limited && claim.max && claim.part_of_max) {
+      verdict.check(here / "max", "max is that of the drive", difference(*claim.max, drive.max), 0);
+      verdict.check(here / "part_of_max", "part_of_max is effort / max",
+                    std::abs(*claim.part_of_max - effort / drive.max),
+                    rounding * allowed / drive.max);
+      verdict.check(here / "effort", "effort is at most max", effort / drive.max, 1 + 1e-7L);
+    }
+    grip = std::max(grip, effort / grasp.unit(drive));
+    size = std::max(size, allowed / grasp.unit(drive));
+  }
+  verdict.check(place / "grip", "grip is the greatest effort of a drive",
+                std::abs(*hold.grip - grip), rounding * size);
+}
+
+/// Those of a claim, where they can be rates of the grasp's drives.
+template <int Dim>
+std::optional<std::vector<Real>> rates_of(Verdict& verdict, const Path& place,
+                                          const RealGrasp& grasp, const HoldClaim<Dim>& hold) {
+  std::vector<Real> rates;
+  if (hold.rates) rates.assign(hold.rates->begin(), hold.rates->end());
+  bool right = rates.empty() || rates.size() == grasp.drives.size();
+  for (std::size_t a = 0; a < rates.size() && right; ++a)
+    right = rates[a] >= 0 && std::isfinite(rates[a]);
+  verdict.check(place / "rates", "rates are of the drives, and at least 0", right);
+  return right ? std::optional(rates) : std::nullopt;
+}
+
+/// Checks that (y, rates) prove the lower bound of the grip.
+template <int Dim>
+void check_grip_bound(Verdict& verdict, const Path& place, const RealGrasp& grasp,
+                      const RealLoad& load, const HoldClaim<Dim>& hold, Real force_cap) {
+  const auto rates = rates_of(verdict, place, grasp, hold);
+  if (!rates) return;
+  Real sum = 0;
+  for (const Real rate : *rates) sum += rate;
+  verdict.check(place / "rates", "rates add up to 1", std::abs(sum - 1), rounding);
+  const Vec w = wrench(load, real(hold.up)), y = real(hold.dual);
+  const Real proven = grip_bound(grasp, w, y, *rates, force_cap * load.weight);
+  // What is in newtons or newton metres is compared with the grip that the weight asks for.
+  const Real unit = std::max({Real{hold.lower_bound}, std::abs(y.dot(w)), Real{1e-9L}});
+  verdict.check(place / "lower_bound", "lower_bound is what y and rates prove of the grip",
+                (hold.lower_bound - std::max<Real>(proven, 0)) / unit, 1e-7L);
 }
 
 template <int Dim>
@@ -112,6 +201,7 @@ void check_forces(Verdict& verdict, const Path& place, const RealGrasp& grasp, c
   verdict.check(place / "residual", "residual is the error of the balance [weights]",
                 std::abs(hold.residual - residual), most_off + digits);
   check_fingers(verdict, place, grasp, load, hold);
+  check_drives(verdict, place, grasp, hold);
 }
 
 /// Checks the hold of a load that does not decide: it can be held too, with less.
@@ -129,7 +219,7 @@ void check_other(Verdict& verdict, const Path& place, std::size_t k, const RealG
     verdict.unchecked(of_effort, "that a load cannot be held is proven of the one that decides");
   if (effort && hold.holdable)
     verdict.check(of_effort, "no scenario needs more than the one that decides",
-                  *effort / hold.effort, 1 + 1e-9L);
+                  *effort / value(hold), 1 + 1e-9L);
   if (none || !other) return;
   const Real cap = force_cap * grasp.greatest_weight() / grasp.loads[k].weight;
   // In the best posture of all loads this one may be at the limit of what can be held.
@@ -137,7 +227,7 @@ void check_other(Verdict& verdict, const Path& place, std::size_t k, const RealG
   verdict.check(of_hold, "is a hold, in the same posture",
                 other->holdable ? (real(other->up) - real(hold.up)).norm() : 1, rounding);
   verdict.check(of_effort, "the effort of a scenario is that of its hold",
-                difference(*effort, other->effort), 1e-9L);
+                difference(*effort, value(*other)), 1e-9L);
 }
 
 /// Checks which load decides: the one that needs most.
@@ -158,7 +248,7 @@ void check_scenarios(Verdict& verdict, const Path& place, const RealGrasp& grasp
   for (std::size_t k = 0; k < count; ++k) check_other(verdict, place, k, grasp, hold, force_cap);
   if (decides && hold.holdable)
     verdict.check((place / "scenario_efforts")[*hold.scenario], "its effort is that of the hold",
-                  difference(*decides, hold.effort), rounding);
+                  difference(*decides, value(hold)), rounding);
 }
 
 /// What y proves of the effort, and how far rounding may take that.
@@ -169,7 +259,10 @@ struct DualValue {
 template <int Dim>
 DualValue dual_value(const RealGrasp& grasp, const RealLoad& load, const HoldClaim<Dim>& hold) {
   const Vec w = wrench(load, real(hold.up)), y = real(hold.dual);
-  return {bound(grasp, w, y), bound_rounding(grasp, w, y)};
+  std::vector<Real> rates;
+  if (hold.rates && hold.rates->size() == grasp.drives.size())
+    rates.assign(hold.rates->begin(), hold.rates->end());
+  return {bound(grasp, w, y, rates), bound_rounding(grasp, w, y)};
 }
 
 template <int Dim>
@@ -199,11 +292,26 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                   std::sqrt(Real{hold.effort}) / (force_cap * grasp.greatest_weight()), 1 + 1e-6L);
     return;
   }
+  if (hold.objective == Objective::grip && hold.rates) {
+    Real most = infinity;
+    for (const RealDrive& drive : grasp.drives)
+      most = std::min(most, drive.max / grasp.unit(drive));
+    verdict.check(place / "lower_bound", "lower_bound is above what the drives give: max / bound",
+                  hold.lower_bound > 0 ? most / hold.lower_bound : 2, 1);
+    check_grip_bound(verdict, place, grasp, load, hold, force_cap);
+    verdict.unchecked(place / "reason", "is in words");
+    return;
+  }
+  const auto rates = rates_of(verdict, place, grasp, hold);
+  if (!rates) return;
   // The cap is not enough for any load within the tolerance of the balance. A dual so long that its
   // own rounding keeps it from proving that may be shorter.
   const auto proof = [&](Real length) {
     const Vec w = wrench(load, real(hold.up)), y = length * real(hold.dual);
-    return bound(grasp, w, y) - bound_rounding(grasp, w, y) - 2 * delta * imbalance_power(load, y);
+    std::vector<Real> speeds = *rates;
+    for (Real& speed : speeds) speed *= length;
+    return bound(grasp, w, y, speeds) - bound_rounding(grasp, w, y) -
+           2 * delta * imbalance_power(load, y);
   };
   const Real cap = force_cap * load.weight;
   Real proven = proof(1);
@@ -222,6 +330,14 @@ void check_least_hold(Verdict& verdict, const Path& place, const RealGrasp& gras
                       const HoldClaim<Dim>& hold, Real force_cap, bool at_limit) {
   check_hold(verdict, place, grasp, hold, force_cap);
   if (!hold.holdable) return;
+  if (hold.objective == Objective::grip) {
+    check_grip_bound(verdict, place, grasp, deciding_load(grasp, hold), hold, force_cap);
+    const Real grip = hold.grip.value_or(0), unit = std::max(grip, 1e-6L * grasp.greatest_weight());
+    verdict.check(place / "lower_bound", "grip is the least: it is the lower_bound [of grip]",
+                  std::abs(grip - hold.lower_bound) / unit, 1e-6L);
+    return;
+  }
+  if (!rates_of(verdict, place, grasp, hold)) return;
   const DualValue dual = dual_value(grasp, deciding_load(grasp, hold), hold);
   const Path of_bound = place / "lower_bound";
   const Real above = hold.lower_bound - dual.bound;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "poise/grip.hpp"
+
 namespace poise::verify {
 
 Vec wrench(const Vec& force, const Vec& point) {
@@ -138,7 +140,17 @@ Real RealGrasp::greatest_weight() const {
 
 template <int Dim>
 RealGrasp real_grasp(const Grasp<Dim>& grasp) {
-  RealGrasp result{Dim, {}, {}, grasp.fingers()};
+  RealGrasp result{.dim = Dim, .fingers = grasp.fingers()};
+  for (std::size_t k = 0; k < grasp.fingers().size(); ++k)
+    result.closing.push_back(real(grasp.closing(k)));
+  if (has_grip(grasp)) {
+    result.in_parts = grip_unit(grasp) == GripUnit::part_of_max;
+    for (const Drive<Dim>& drive : grasp.drives()) {
+      RealDrive& real_drive = result.drives.emplace_back(RealDrive{drive.name, {}, drive.max});
+      for (const auto& moved : drive.moves)
+        real_drive.moves.push_back({moved.finger, real(moved.twist)});
+    }
+  }
   for (const Contact<Dim>& contact : grasp.contacts())
     result.contacts.push_back(real_contact(contact));
   for (const Load<Dim>& load : grasp.loads()) {
@@ -152,6 +164,37 @@ RealGrasp real_grasp(const Grasp<Dim>& grasp) {
 
 template RealGrasp real_grasp(const Grasp<2>&);
 template RealGrasp real_grasp(const Grasp<3>&);
+
+Vec against(const RealGrasp& grasp, const std::string& finger, const Vec& y,
+            const std::vector<Real>& rates) {
+  Vec left = y;
+  for (std::size_t a = 0; a < rates.size(); ++a)
+    for (const RealDrive::Moved& moved : grasp.drives[a].moves)
+      if (moved.finger == finger) left -= rates[a] * moved.twist;
+  return left;
+}
+
+Real bound(const RealGrasp& grasp, const Vec& w, const Vec& y, const std::vector<Real>& rates) {
+  Real sum = y.dot(w);
+  for (std::size_t a = 0; a < rates.size(); ++a)
+    if (rates[a] > 0) sum -= rates[a] * grasp.drives[a].max;
+  for (const RealContact& contact : grasp.contacts)
+    sum -= phi(contact, contact.G.transpose() * against(grasp, contact.finger, y, rates));
+  return 2 * sum;
+}
+
+Real grip_bound(const RealGrasp& grasp, const Vec& w, const Vec& y, const std::vector<Real>& rates,
+                Real cap) {
+  std::vector<Real> speeds = rates;
+  for (std::size_t a = 0; a < rates.size(); ++a) speeds[a] /= grasp.unit(grasp.drives[a]);
+  Real sum = y.dot(w);
+  for (const RealContact& contact : grasp.contacts) {
+    const Vec z = contact.G.transpose() * against(grasp, contact.finger, y, speeds);
+    const Real power = z[0] + contact.friction * z.tail(z.size() - 1).norm();
+    sum -= power * (power <= 0 ? contact.least : std::min(contact.most, cap));
+  }
+  return sum;
+}
 
 RealGrasp with_load(RealGrasp grasp, const RealLoad& load) {
   grasp.loads = {load};

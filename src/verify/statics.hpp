@@ -41,11 +41,28 @@ struct RealLoad {
   Real radius{0};  ///< L, the distance of the farthest contact from the com
 };
 
+/// What moves fingers, and how far per unit of its speed.
+struct RealDrive {
+  struct Moved {
+    std::string finger;
+    Vec twist;
+  };
+  std::string name;
+  std::vector<Moved> moves;
+  Real max{0};  ///< may be infinite
+};
+
 struct RealGrasp {
   int dim{2};
   std::vector<RealLoad> loads;
   std::vector<RealContact> contacts;
   std::vector<std::string> fingers;  ///< in the order of their first contact
+  std::vector<Vec> closing;          ///< of the fingers; zero where it is not known
+  std::vector<RealDrive> drives;     ///< none where fingers without a closing direction have them
+  bool in_parts{false};              ///< grip is told in parts of the drives' max
+
+  /// What the grip counts of a drive's effort as 1.
+  Real unit(const RealDrive& drive) const { return in_parts ? drive.max : 1; }
 
   Real greatest_weight() const;
 };
@@ -77,6 +94,15 @@ Real phi(const RealContact& contact, const Vec& z);
 Real phi(const RealGrasp& grasp, const Vec& y);
 /// 2 (y . w - phi(G^T y)): no forces that balance w have less effort.
 Real bound(const RealGrasp& grasp, const Vec& w, const Vec& y);
+/// y less what drives with these rates move of a finger.
+Vec against(const RealGrasp& grasp, const std::string& finger, const Vec& y,
+            const std::vector<Real>& rates);
+/// 2 (y . w - sum rate max - phi): what y and rates of limited drives prove of the effort.
+Real bound(const RealGrasp& grasp, const Vec& w, const Vec& y, const std::vector<Real>& rates);
+/// What y and rates prove of the grip: y . w, less what contacts can do against them; of those
+/// without a limit with forces of at most `cap` [N].
+Real grip_bound(const RealGrasp& grasp, const Vec& w, const Vec& y, const std::vector<Real>& rates,
+                Real cap);
 /// How far rounding may take that bound: a long y leaves it few digits.
 Real bound_rounding(const RealGrasp& grasp, const Vec& w, const Vec& y);
 /// |v| + L |omega| times the weight, v at the com: the power of y on an imbalance of 1 at most.

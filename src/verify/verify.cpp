@@ -90,7 +90,9 @@ struct Checker {
 
   void operator()(const CheckDocument<Dim>& check) { check_reading(verdict, given, file, check); }
   void operator()(const HoldDocument<Dim>& hold) {
-    check_options(verdict, Dim, hold.options, {}, {"angle_deg", "up"});
+    check_options(verdict, Dim, hold.options, {"objective"}, {"angle_deg", "up"});
+    verdict.check(Path() / "objective", "objective is that of the options",
+                  hold.objective == hold.options.objective);
     check_least_hold<Dim>(verdict, {}, grasp, hold, hold.options.force_cap);
     if (const auto up = asked_up(hold.options))
       check_up(verdict, {}, real(hold.up), *up, "up is the posture asked for");
@@ -111,6 +113,12 @@ template <int Dim>
 Verdict verdict_of(const Grasp<Dim>& grasp, const FileOf<Dim>* file,
                    const AnyDocument<Dim>& document) {
   Verdict verdict;
+  if (std::any_of(grasp.contacts().begin(), grasp.contacts().end(),
+                  [](const Contact<Dim>& contact) { return contact.pad.has_value(); }) &&
+      !std::holds_alternative<CheckDocument<Dim>>(document)) {
+    verdict.check({}, "what the points of a pad carry is told, which results do not", false);
+    return verdict;
+  }
   std::visit(Checker<Dim>{verdict, grasp, file}, document);
   return verdict;
 }

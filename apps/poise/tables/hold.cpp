@@ -17,9 +17,13 @@ std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp, const HoldA
   if (!posture.holdable())
     return title(file.name, style) +
            wrapped(place + " it cannot be held: " + reason_text(grasp, posture) + ".") + scenarios;
+  const std::string grip =
+      posture.hold().objective == Objective::grip
+          ? "the grip to command is " + style.bold(grip_text(grasp, posture.hold()))
+          : "grip force " + style.bold(newtons(grip_force(grasp, posture)));
   return title(file.name, style) +
-         fmt::format("{}: grip force {}, {}\n", place,
-                     style.bold(newtons(grip_force(grasp, posture))), to_string(posture.manner)) +
+         fmt::format("{}: {}, {}\n", place, grip, to_string(posture.manner)) +
+         drives_table(grasp, posture.hold(), style) +
          heading("Forces" + scenario_text(grasp, posture.decides), style) +
          forces_table(grasp, posture.hold(), style) +
          fmt::format("\nForce norm {}, effort {} N².\n", newtons(std::sqrt(posture.effort())),

@@ -156,6 +156,38 @@ std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const S
 }
 
 template <int Dim>
+std::string grip_text(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
+  const double grip = poise::grip(grasp, hold);
+  switch (grip_unit(grasp)) {
+    case GripUnit::newton:
+      return newtons(grip);
+    case GripUnit::newton_metre:
+      return newtons(grip) + " m";
+    case GripUnit::part_of_max:
+      break;
+  }
+  return fixed(100 * grip, 1) + " % of max";
+}
+
+template <int Dim>
+std::string drives_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const Style& style) {
+  if (grasp.mechanism() == Mechanism<Dim>{} || !has_grip(grasp)) return {};
+  const std::vector<Drive<Dim>> drives = grasp.drives();
+  const std::vector<DriveEffort> efforts = drive_efforts(grasp, hold);
+  double most = 0;
+  for (const DriveEffort& each : efforts) most = std::max(most, std::abs(each.effort));
+  Table table({"<drive", "effort", "<", "max", "used", "<"});
+  for (std::size_t a = 0; a < drives.size(); ++a) {
+    const bool limited = std::isfinite(drives[a].max);
+    table.add({drives[a].name, fixed(efforts[a].effort, decimals_for(most)),
+               drives[a].turns ? "N m" : "N", limited ? plain(drives[a].max) : "",
+               limited ? fixed(100 * efforts[a].part_of_max, 1) + " %" : "",
+               efforts[a].part_of_max >= 1 - 1e-6 ? "at max" : ""});
+  }
+  return heading("Drives", style) + table.text(style);
+}
+
+template <int Dim>
 std::string scenarios_table(const Grasp<Dim>& grasp, const Posture<Dim>& posture,
                             const Style& style) {
   if (grasp.loads().size() == 1) return {};
@@ -227,6 +259,10 @@ template std::string why_nowhere(const Grasp<3>&, const std::optional<Posture<3>
 template void add_posture(Table&, const std::string&, const Grasp<2>&, const Posture<2>&,
                           const std::string&);
 template std::string forces_table(const Grasp<2>&, const Hold<2>&, const Style&);
+template std::string grip_text(const Grasp<2>&, const Hold<2>&);
+template std::string grip_text(const Grasp<3>&, const Hold<3>&);
+template std::string drives_table(const Grasp<2>&, const Hold<2>&, const Style&);
+template std::string drives_table(const Grasp<3>&, const Hold<3>&, const Style&);
 template std::string scenarios_table(const Grasp<2>&, const Posture<2>&, const Style&);
 template std::string why_pinching_costs(const Grasp<2>&, const Posture<2>&, const Posture<2>&);
 template std::string reason_text(const Grasp<3>&, const Posture<3>&);

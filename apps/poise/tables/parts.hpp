@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "poise/best_posture.hpp"
+#include "poise/grip.hpp"
 #include "tables/table.hpp"
 
 namespace poise {
@@ -56,6 +57,14 @@ void add_posture(Table& table, const std::string& which, const Grasp<Dim>& grasp
 /// Forces by contact, and by finger where a finger has several contacts.
 template <int Dim>
 std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const Style& style);
+
+/// "2.125 N", "0.55 N m" or "27.5 % of max".
+template <int Dim>
+std::string grip_text(const Grasp<Dim>& grasp, const Hold<Dim>& hold);
+
+/// What the drives do; nothing where each finger has a drive of its own without max.
+template <int Dim>
+std::string drives_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const Style& style);
 
 /// What each scenario needs in a posture; nothing where there is but one.
 template <int Dim>

@@ -23,6 +23,7 @@ from ._types import (
     Manner,
     MeshShape,
     Object,
+    Pad,
     Polygon,
     Sphere,
     Status,

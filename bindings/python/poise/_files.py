@@ -152,6 +152,13 @@ def _contact(contact: Contact) -> Dict[str, Any]:
         values["finger"] = contact.finger
     if contact.torsion != 0:
         values["torsion"] = contact.torsion
+    if contact.pad is not None:
+        values["pad"] = {
+            "points": contact.pad.points.tolist(),
+            "shares": contact.pad.shares.tolist(),
+            "axis": contact.pad.axis.tolist(),
+            "reach": contact.pad.reach.tolist(),
+        }
     return values
 
 

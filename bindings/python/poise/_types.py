@@ -79,8 +79,37 @@ class Object:
         return f"Object(weight={self.weight!r}, com={self.com.tolist()})"
 
 
+class Pad:
+    """A compliant pad on a rigid finger, in space: its normal force N is spread in fixed parts over
+    its points, each of which passes on a tangential force up to mu times its part of N. The centre
+    of pressure may move within the pad.
+
+    points: (n, 3), from the contact's position [m], object frame
+    shares: (n,), of N, > 0, sum 1; left out, all are equal
+    axis: (3,), a direction in the pad's plane
+    reach: (2,), how far the centre of pressure may move from the mean of the points, along the axis
+        and across it [m], >= 0
+    """
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        shares: ArrayLike | None = None,
+        axis: ArrayLike = (0.0, 0.0, 1.0),
+        reach: ArrayLike = (0.0, 0.0),
+    ) -> None:
+        self.points = _vector(points).reshape(-1, 3)
+        count = len(self.points)
+        self.shares = np.full(count, 1.0 / max(count, 1)) if shares is None else _vector(shares)
+        self.axis = _vector(axis)
+        self.reach = _vector(reach)
+
+    def __repr__(self) -> str:
+        return f"Pad({len(self.points)} points, reach={self.reach.tolist()})"
+
+
 class Contact:
-    """A contact with Coulomb friction.
+    """A contact with Coulomb friction: a point, a soft point or a pad.
 
     The force of the finger on the object is given in the contact frame: the normal force along
     the inward normal n, and the tangential force, in the plane one number along n turned by +90
@@ -95,6 +124,7 @@ class Contact:
         |f|^2 / share
     finger: label; left empty, the contact is a finger of its own
     torsion: gamma [m], >= 0, in space only: above 0 the finger is soft. Needs friction
+    pad: a Pad, in space only: the contact is a pad, without torsion and share
     """
 
     def __init__(
@@ -107,6 +137,7 @@ class Contact:
         share: float = 1.0,
         finger: str = "",
         torsion: float = 0.0,
+        pad: Pad | None = None,
     ) -> None:
         self.position = _vector(position)
         self.normal = _vector(normal)
@@ -116,6 +147,7 @@ class Contact:
         self.share = float(share)
         self.finger = finger
         self.torsion = float(torsion)
+        self.pad = pad
 
     def __repr__(self) -> str:
         words = [
@@ -133,6 +165,8 @@ class Contact:
             words.append(f"finger={self.finger!r}")
         if self.torsion != 0:
             words.append(f"torsion={self.torsion!r}")
+        if self.pad is not None:
+            words.append(f"pad={self.pad!r}")
         return f"Contact({', '.join(words)})"
 
 
