@@ -148,6 +148,7 @@ void Flags::force_cap(Question& question) {
 
 void Flags::search(Question& question) {
   domain(question);
+  objective(question);
   force_cap(question);
   value("--gap", "PART", "Space: how far the effort may be above the proven bound (1e-6)",
         [&](const auto& text) {

@@ -26,7 +26,8 @@ struct Tilt {
 
 /// What to search in space, and how far.
 struct SpatialSettings {
-  double gap{1e-6};            ///< wanted: (effort - lower_bound) / effort of the best, > 0
+  Objective objective{Objective::effort};  ///< what the best posture needs least of
+  double gap{1e-6};            ///< wanted: (value - lower_bound) / value of the best, > 0
   int max_holds{2000};         ///< holds to spend on the certificate
   double force_cap{1e6};       ///< in weights of the heaviest load
   std::optional<Tilt> tilt{};  ///< none: all postures
@@ -42,6 +43,9 @@ struct Cut {
   Twist<3> y = Twist<3>::Zero();
   std::size_t load{0};
   std::optional<Vector<3>> n;  ///< n . x <= 0 in the whole domain; then y and load say nothing
+  /// Of the drives, >= 0, where they say something. For effort they and their max are taken into
+  /// account; for grip (sum of rates) F >= y . w(x) - what contacts with limits can do.
+  std::optional<std::vector<double>> rates{};
 };
 
 /// A minimum of the effort over the postures of the plane: an optimum of the curve with its holds.
@@ -80,10 +84,10 @@ struct Best {
   std::vector<Minimum<Dim>> minima;
   /// The lowest of the minima that is pinched, and inside the domain and the holdable postures.
   std::optional<std::size_t> pinched;
-  /// On the effort in the whole domain [N^2], by the proof. Where unholdable in space, above the
-  /// square of the force cap.
+  /// On the effort [N^2] or the grip in the whole domain, by the proof. Where unholdable in space,
+  /// above what counts as held.
   double lower_bound{0};
-  double relative_gap{0};  ///< (effort - lower_bound) / effort; 0 where nothing holds
+  double relative_gap{0};  ///< (value - lower_bound) / value; 0 where nothing holds
   Proof<Dim> proof;
 
   /// Whether a posture was found in which all loads can be held.

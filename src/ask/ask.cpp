@@ -68,9 +68,12 @@ CurveSettings curve_settings(const PlanarFile& file, const Question& question) {
   return {.domain = question.domain.value_or(file.domain), .force_cap = question.force_cap};
 }
 
-SpatialSettings spatial_settings(const SpatialFile& file, const Question& question) {
+SpatialSettings spatial_settings(const SpatialFile& file, const Question& question,
+                                 bool is_general) {
   SpatialSettings settings;
   settings.force_cap = question.force_cap;
+  settings.objective = question.objective.value_or(file.objective);
+  if (settings.objective == Objective::grip || is_general) settings.starts = 0;
   settings.gap = question.gap.value_or(settings.gap);
   settings.max_holds = question.max_holds.value_or(settings.max_holds);
   settings.tilt = tilt_of(file, question);
@@ -128,6 +131,8 @@ BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question
                                       {question.tilt_max_deg.has_value(), "tilt-max"},
                                       {question.orientation.has_value(), "orientation"}})
     if (given) throw Misfit(option, "is for space,", 2);
+  if (question.objective.value_or(file.objective) == Objective::grip)
+    throw Misfit("objective", "grip is found by hold alone in the plane,", 2);
   const CurveSettings settings = curve_settings(file, question);
   BestAnswer<2> answer{settings, best_posture(grasp, settings)};
   if (file.angle) answer.now = posture_at(grasp, up_at(*file.angle), {settings.force_cap});
@@ -140,31 +145,32 @@ BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question
 
 /// The posture in which it is held now counts as found: it may be all that can be held.
 void consider(Best<3>& best, const Posture<3>& now, const SpatialSettings& settings) {
-  if (!now.holdable() || (best.holdable() && best.best().effort() <= now.effort())) return;
+  if (!now.holdable() || (best.holdable() && best.best().value() <= now.value())) return;
   if (settings.tilt && now.up.dot(settings.tilt->from.normalized()) < std::cos(settings.tilt->most))
     return;
-  const double effort = now.effort();
+  const double value = now.value();
   best.minima.insert(best.minima.begin(), {now});
   if (best.pinched) ++*best.pinched;
-  best.lower_bound = std::min(best.lower_bound, effort);
-  best.relative_gap = (effort - best.lower_bound) / effort;
+  best.lower_bound = std::min(best.lower_bound, value);
+  best.relative_gap = value > 0 ? (value - best.lower_bound) / value : 0;
   best.status = best.relative_gap <= settings.gap ? Status::optimal : Status::gap;
 }
 
 BestAnswer<3> best(const SpatialFile& file, const Grasp<3>& grasp, const Question& question) {
   if (question.domain.value_or(Domain::all) == Domain::pinched)
     throw Misfit("domain", "pinched is for the plane,", 3);
-  const SpatialSettings settings = spatial_settings(file, question);
+  const SpatialSettings settings = spatial_settings(file, question, grasp.is_general());
   BestAnswer<3> answer{settings, best_posture(grasp, settings)};
   answer.orientation = question.orientation ? *question.orientation
                        : file.up            ? orientation_of(*file.up)
                                             : Eigen::Quaterniond::Identity();
   const Vector<3> now = answer.orientation.conjugate() * Vector<3>::UnitZ();
-  if (question.orientation || file.up) answer.now = posture_at(grasp, now, {settings.force_cap});
+  if (question.orientation || file.up)
+    answer.now = posture_at(grasp, now, {settings.force_cap, settings.objective});
   if (answer.now) consider(answer.best, *answer.now, settings);
   if (answer.best.status == Status::unholdable) {
-    answer.unholdable =
-        posture_at(grasp, settings.tilt ? settings.tilt->from : now, {settings.force_cap});
+    answer.unholdable = posture_at(grasp, settings.tilt ? settings.tilt->from : now,
+                                   {settings.force_cap, settings.objective});
     answer.without_max_normal = best_without_max_normal(grasp, settings);
   }
   return answer;

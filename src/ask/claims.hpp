@@ -47,7 +47,9 @@ void fields(Pad& pad, auto& visit) {
 }
 void fields(Cut& cut, auto& visit) {
   visit.maybe("n", cut.n);
-  if (!cut.n) visit("y", cut.y, "scenario", cut.load);
+  if (cut.n) return;
+  visit("y", cut.y, "scenario", cut.load);
+  visit.maybe("rates", cut.rates);
 }
 
 /// What one contact does.

@@ -168,6 +168,7 @@ void add_proof(BestDocument<3>& claim, const Grasp<3>& /*grasp*/, const BestAnsw
   const SpatialSettings& settings = answer.settings;
   claim.options = {.domain = Domain::all,
                    .force_cap = settings.force_cap,
+                   .objective = settings.objective,
                    .gap = settings.gap,
                    .max_holds = settings.max_holds,
                    .tilt = settings.tilt,
@@ -268,7 +269,8 @@ template <class Claim>
 Json brief(Claim claim) {
   Json json = json_of(claim);
   if (json.is_null()) return json;
-  for (const char* const key : {"dual", "y", "rates", "residual", "drives", "contacts"}) json.erase(key);
+  for (const char* const key : {"dual", "y", "rates", "residual", "drives", "contacts"})
+    json.erase(key);
   return json;
 }
 

@@ -67,7 +67,8 @@ struct Task {
 /// The state of a search that went for the best posture, and in `best` what no posture is below.
 SearchState prove(const Task& task, Best<3>& best) {
   const auto& [grasp, settings, loads, domain] = task;
-  SearchState full(Oracle(grasp, loads), domain, settings.gap, Digits::as_needed);
+  SearchState full(Oracle(grasp, loads, settings.objective), domain, settings.gap,
+                   Digits::as_needed);
   // What is proven without max_normal holds with it. Where the best posture needs no more then,
   // that is all; else it is where to begin.
   std::optional<ScaledHand<3>> strong;
@@ -75,7 +76,8 @@ SearchState prove(const Task& task, Best<3>& best) {
   std::optional<SearchState> easier;
   bool is_proven = false;
   int spent = 0;
-  if (only_max_normal(grasp)) {
+  const bool is_plain = settings.objective == Objective::effort && !grasp.is_general();
+  if (is_plain && only_max_normal(grasp)) {
     strong = grasp.scaled().without_max_normal();
     unlimited = scaled_loads(grasp, *strong, settings.force_cap);
     easier.emplace(Oracle(grasp, unlimited), domain, settings.gap, Digits::as_needed);
@@ -90,9 +92,13 @@ SearchState prove(const Task& task, Best<3>& best) {
   const double claimed = lower_bound(prover);
   best.proof.holds = full.oracle.holds + spent;
   best.proof.cuts = certificate(prover, claimed);
-  const double bound = search::proven_bound(grasp, best.proof.cuts, prover.oracle.is_gauge,
-                                            prover.oracle.least, claimed, settings.gap);
-  best.lower_bound = grasp.weight() * grasp.weight() * bound;
+  const double bound = is_plain
+                           ? search::proven_bound(grasp, best.proof.cuts, prover.oracle.is_gauge,
+                                                  prover.oracle.least, claimed, settings.gap)
+                           : claimed;
+  const double unit = full.oracle.unit;
+  best.lower_bound =
+      settings.objective == Objective::grip ? unit * std::sqrt(bound) : unit * unit * bound;
   const bool is_unholdable = !(full.best_value < infinity) && bound > full.oracle.most;
   best.status = is_unholdable ? Status::unholdable : Status::gap;
   return full;
@@ -102,7 +108,8 @@ SearchState prove(const Task& task, Best<3>& best) {
 std::vector<HalfSpace> lowest_postures(const Task& task, SearchState& state) {
   std::vector<HalfSpace> found = {state.best};
   for (const Vector<3>& start : search::starts(state, task.settings.starts)) {
-    const auto lowest = search::descend(task.grasp, task.loads, task.domain, start);
+    const auto lowest =
+        search::descend(task.grasp, task.loads, task.domain, task.settings.objective, start);
     if (lowest && std::none_of(found.begin(), found.end(), [&](const HalfSpace& other) {
           return (other.x - lowest->x).norm() < same_posture;
         }))
@@ -116,7 +123,7 @@ Posture<3> posture(const Task& task, const Vector<3>& up, const Twist<3>& y) {
   std::vector<Hold<3>> holds;
   for (std::size_t k = 0; k < task.loads.size(); ++k) {
     const Load<3>& load = task.grasp.loads()[k];
-    const HoldSettings settings{task.loads[k].cap};
+    const HoldSettings settings{task.loads[k].cap, task.settings.objective};
     holds.push_back(hold(task.grasp, load, up, settings));
     // At the border of what can be held rounding may decide.
     if (!holds.back().holdable)
@@ -130,9 +137,11 @@ Posture<3> posture(const Task& task, const Vector<3>& up, const Twist<3>& y) {
 Posture<3> refined(const Task& task, const HalfSpace& found, const Best<3>& so_far) {
   std::vector<Vector<3>> sharper;
   if (so_far.minima.empty() && task.settings.starts > 0)
-    if (const auto lower = search::descend(task.grasp, task.loads, task.domain, found.x))
+    if (const auto lower =
+            search::descend(task.grasp, task.loads, task.domain, task.settings.objective, found.x))
       sharper.push_back(lower->x);
-  if (task.loads.size() == 1 && task.domain.empty())
+  if (task.loads.size() == 1 && task.domain.empty() && !task.grasp.is_general() &&
+      task.settings.objective == Objective::effort)
     sharper.push_back(search::polished_minimum(task.loads.front(), found));
   for (const Vector<3>& alone : search::on_one_contact(task.grasp))
     if ((alone - found.x).norm() < near_one_contact &&
@@ -141,7 +150,7 @@ Posture<3> refined(const Task& task, const HalfSpace& found, const Best<3>& so_f
   Posture<3> lowest = posture(task, found.x, found.y);
   for (const Vector<3>& up : sharper) {
     Posture<3> other = posture(task, up, found.y);
-    if (other.holdable() && other.effort() <= (1 + same_effort) * lowest.effort())
+    if (other.holdable() && other.value() <= (1 + same_effort) * lowest.value())
       lowest = std::move(other);
   }
   return lowest;
@@ -156,7 +165,9 @@ bool is_interior(const Task& task, const Vector<3>& up) {
     for (const TiltCone& cone : task.domain)
       if (cone.excess(neighbour) > 0) return false;
     for (std::size_t s = 0; s < task.loads.size(); ++s)
-      if (!hold(task.grasp, task.grasp.loads()[s], neighbour, {task.loads[s].cap}).holdable)
+      if (!hold(task.grasp, task.grasp.loads()[s], neighbour,
+                {task.loads[s].cap, task.settings.objective})
+               .holdable)
         return false;
   }
   return true;
@@ -164,12 +175,11 @@ bool is_interior(const Task& task, const Vector<3>& up) {
 
 /// Orders the minima, and says how sure the best is and which is pinched.
 void classify(const Task& task, Best<3>& best) {
-  std::stable_sort(
-      best.minima.begin(), best.minima.end(),
-      [](const Posture<3>& a, const Posture<3>& b) { return a.effort() < b.effort(); });
-  const double effort = best.best().effort();
-  best.lower_bound = std::min(best.lower_bound, effort);
-  best.relative_gap = (effort - best.lower_bound) / effort;
+  std::stable_sort(best.minima.begin(), best.minima.end(),
+                   [](const Posture<3>& a, const Posture<3>& b) { return a.value() < b.value(); });
+  const double value = best.best().value();
+  best.lower_bound = std::min(best.lower_bound, value);
+  best.relative_gap = value > 0 ? (value - best.lower_bound) / value : 0;
   best.status = best.relative_gap <= task.settings.gap ? Status::optimal : Status::gap;
   for (std::size_t i = 0; i < best.minima.size() && !best.pinched; ++i)
     if (best.minima[i].manner == Manner::pinched && is_interior(task, best.minima[i].up))

@@ -75,13 +75,14 @@ std::optional<std::pair<double, Vector<3>>> slide(SearchState& state, const Tilt
 }  // namespace
 
 std::optional<HalfSpace> descend(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads,
-                                 const std::vector<TiltCone>& domain, Vector<3> up) {
+                                 const std::vector<TiltCone>& domain, Objective objective,
+                                 Vector<3> up) {
   std::optional<HalfSpace> lowest;
   for (int step = 0; step < most_descents; ++step) {
     std::vector<TiltCone> cones = domain;
     cones.push_back({up, near});
-    SearchState local(Oracle(grasp, loads), std::move(cones), step == 0 ? first_gap : last_gap,
-                      Digits::rough);
+    SearchState local(Oracle(grasp, loads, objective), std::move(cones),
+                      step == 0 ? first_gap : last_gap, Digits::rough);
     minimise(local, holds_per_descent);
     if (!(local.best_value < infinity)) break;
     const double moved = std::acos(std::clamp(up.dot(local.best.x), -1.0, 1.0));

@@ -12,7 +12,8 @@ namespace poise::search {
 /// half-space that touches there. None where the domain has no posture near `up` that can be
 /// held.
 std::optional<HalfSpace> descend(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads,
-                                 const std::vector<TiltCone>& domain, Vector<3> up);
+                                 const std::vector<TiltCone>& domain, Objective objective,
+                                 Vector<3> up);
 
 /// A minimum to all its digits, where the effort is smooth: the effort alone tells only half of
 /// them, and a finger that carries nothing there would seem to press a little.

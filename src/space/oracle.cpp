@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dual/exact.hpp"
 #include "dual/newton.hpp"
 #include "dual/twist.hpp"
+#include "hold/cone_hand.hpp"
 
 namespace poise::search {
 namespace {
@@ -98,8 +100,13 @@ const HalfSpace* nearest_held(const Vector<3>& x, const Corner& corner) {
   return nearest;
 }
 
-Oracle::Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads)
-    : is_gauge(!loads.front().problem.limited), candidates(on_one_contact(grasp)), loads_(loads) {
+Oracle::Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads, Objective objective)
+    : is_gauge(!loads.front().problem.limited),
+      unit(grasp.weight()),
+      candidates(on_one_contact(grasp)),
+      grasp_(grasp),
+      loads_(loads),
+      objective_(objective) {
   bool is_fixed = false;
   double cap = 0;
   for (const Contact<3>& contact : grasp.contacts()) shares_ += contact.share;
@@ -110,8 +117,16 @@ Oracle::Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads)
   }
   is_gauge = is_gauge && !is_fixed;
   most = cap * cap;
+  if (is_grip() || grasp.is_general()) {
+    is_gauge = false;
+    if (is_grip()) unit = scaled_grip(grasp, grasp.weight());
+    if (is_grip()) most = std::min(most, std::pow(most_grip(grasp) / unit, 2));
+    for (const Load<3>& load : grasp.loads())
+      cones_.push_back(
+          cone_hand(grasp, load.weight, is_grip() ? dual::Wanted::grip : dual::Wanted::effort));
+  }
   // |f| >= W / sqrt(sum share), by y = t e_k, where forces add up to the weight.
-  if (!is_fixed) least = 1 / shares_;
+  if (!is_fixed && !is_grip()) least = 1 / shares_;
   for (std::size_t s = 0; s < loads.size(); ++s)
     for (const Twist<3>& twist : loads[s].problem.hand.unfelt) {
       const Vector<3> v = loads[s].velocity(twist);
@@ -124,7 +139,64 @@ Oracle::Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads)
 
 double Oracle::half_width(double t) const { return least > 0 ? std::sqrt(t * shares_) : infinity; }
 
+/// With y and the rates as they were found, made right where rounding made them wrong.
+Answer Oracle::general_answer(const Vector<3>& x) {
+  using State = dual::Balance<3>::State;
+  Answer worst{-1, {}};
+  for (std::size_t s = 0; s < loads_.size(); ++s) {
+    const ScaledLoad& load = loads_[s];
+    const dual::ConeHand<3>& cones = cones_[s];
+    const dual::Balance<3> found =
+        dual::balance(cones, load.at(x), is_grip() ? dual::Wanted::grip : dual::Wanted::effort);
+    ++holds;
+    HalfSpace cut = general_half_space(s, found.y, x);
+    double value = infinity;
+    if (is_grip()) {
+      const dual::GripCut<3> proof = dual::grip_cut(cones, found, load.cap);
+      const double times = scaled_grip(grasp_, grasp_.loads()[s].weight) / unit;
+      cut.rates = proof.rates;
+      cut.rate_sum = proof.rate_sum / times;  // F in the oracle's unit
+      cut.phi = proof.fixed - proof.y.dot(load.fixed);
+      if (found.state == State::held) value = std::pow(found.value * times, 2);
+    } else {
+      const Load<3>& given = grasp_.loads()[s];
+      const std::vector<Drive<3>> drives = grasp_.drives();
+      cut.rates.resize(drives.size());
+      dual::Rates rates(drives.size());
+      std::size_t limited = 0;
+      for (std::size_t a = 0; a < drives.size(); ++a) {
+        cut.rates[a] = 0;
+        if (!std::isfinite(drives[a].max)) continue;
+        const double per_length = drives[a].turns ? load.problem.hand.per_length : 1;
+        cut.rates[a] = found.rates[limited++] * given.weight * per_length;
+      }
+      const Twist<3> y = about_origin(load.problem.hand, given.weight, found.y);
+      const Wrench<3> none = Wrench<3>::Zero();
+      std::copy(cut.rates.begin(), cut.rates.end(), rates.begin());
+      const auto proven = static_cast<double>(dual::effort_bound<3>(grasp_, none, y, rates, 1) /
+                                              (given.weight * given.weight));
+      cut.phi = -proven / 2 - found.y.dot(load.fixed);
+      if (found.state == State::held) value = 2 * found.value * load.unit;
+    }
+    const bool holdable = value <= most;
+    cut.origin = holdable ? HalfSpace::Origin::held : HalfSpace::Origin::unholdable;
+    if (!holdable) value = infinity;
+    if (!(value > worst.value)) continue;
+    worst = {value, cut};
+    if (!holdable) break;
+  }
+  return worst;
+}
+
+HalfSpace Oracle::general_half_space(std::size_t load, const Twist<3>& y,
+                                     const Vector<3>& x) const {
+  const Vector<3> v = loads_[load].velocity(y);
+  const double speed = v.norm();
+  return {.normal = v / speed, .x = x, .load = load, .y = y, .speed = speed};
+}
+
 Answer Oracle::evaluate(const Vector<3>& x, const Aim& aim) {
+  if (!cones_.empty()) return general_answer(x);
   using Origin = HalfSpace::Origin;
   Answer worst{-1, {}};
   for (std::size_t s = 0; s < loads_.size(); ++s) {
@@ -211,6 +283,10 @@ double Oracle::stretch(const HalfSpace& half_space, double half) const {
 double Oracle::offset(const HalfSpace& half_space, double t) const {
   if (half_space.origin == HalfSpace::Origin::domain) return 0;
   if (!(half_space.speed > 1e-300)) return infinity;  // no direction
+  if (is_grip()) {
+    const double rounding = (dual::delta + 1e-15) * dual::dual_norm<3, double>(half_space.y);
+    return (half_space.rate_sum * std::sqrt(t) + half_space.phi + rounding) / half_space.speed;
+  }
   const double half = t / (2 * loads_[half_space.load].unit);
   const double times = stretch(half_space, half);
   const double rounding = (dual::delta + 1e-15) * dual::dual_norm<3, double>(half_space.y);
@@ -219,6 +295,7 @@ double Oracle::offset(const HalfSpace& half_space, double t) const {
 
 HalfSpace Oracle::adopted(const HalfSpace& known) const {
   if (known.origin == HalfSpace::Origin::domain) return known;
+  if (!cones_.empty()) return general_half_space(known.load, known.y, known.x);  // felt by none
   const dual::Problem<3>& problem = loads_[known.load].problem;
   dual::Point<3> point(problem.size);
   dual::evaluate<3, double>(problem, Wrench<3>::Zero(), known.y, point);
@@ -247,11 +324,30 @@ std::optional<HalfSpace> Oracle::start_at(const Vector<3>& x, const Corner& corn
 
 Cut Oracle::cut_by(std::size_t load, const Twist<3>& y) const {
   const dual::Problem<3>& problem = loads_[load].problem;
-  return {about_origin(problem.hand, problem.weight, y), load, {}};
+  return {.y = about_origin(problem.hand, problem.weight, y), .load = load};
 }
 
 Cut Oracle::cut(const HalfSpace& half_space, double t) const {
   if (half_space.origin == HalfSpace::Origin::domain) return {.n = half_space.normal};
+  if (is_grip()) {
+    // Of length 1 in its rates, or where there are none in y.
+    const ScaledLoad& load = loads_[half_space.load];
+    const double times = scaled_grip(grasp_, load.problem.weight) / unit;
+    const double sum = half_space.rate_sum * times;
+    const double size = half_space.y.cwiseAbs().maxCoeff(), per = sum > 1e-9 * size ? sum : size;
+    Cut cut{.y = about_origin(load.problem.hand,
+                              scaled_grip(grasp_, load.problem.weight) / load.problem.weight / per,
+                              half_space.y),
+            .load = half_space.load,
+            .rates = half_space.rates};
+    for (double& rate : *cut.rates) rate /= per;
+    return cut;
+  }
+  if (!cones_.empty()) {
+    Cut cut = cut_by(half_space.load, half_space.y);
+    cut.rates = half_space.rates;
+    return cut;
+  }
   const double half = t / (2 * loads_[half_space.load].unit);
   return cut_by(half_space.load, stretch(half_space, half) * half_space.y);
 }

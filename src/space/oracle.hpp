@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dual/dual.hpp"
+#include "dual/interior.hpp"
 #include "poise/best_posture.hpp"
 #include "space/directions.hpp"
 
@@ -58,6 +59,10 @@ struct HalfSpace {
   Twist<3> y = Twist<3>::Zero();  ///< about the center, in the solver's units
   double speed{0};                ///< of the point where the weight acts, under y
   double phi{0};                  ///< phi(G^T y) - y . fixed
+  /// Of a general oracle the rates of the drives; to the grip phi is what contacts with limits can
+  /// do: rate_sum grip >= weight (speed normal . x - phi).
+  std::vector<double> rates{};
+  double rate_sum{0};
 };
 
 /// The half-spaces of a vertex; null for a side of the cube.
@@ -90,10 +95,12 @@ struct Aim {
   double proven{0};
 };
 
-/// The greatest effort of the loads.
+/// The greatest effort of the loads, or the square of the greatest grip. That of the grip, of hands
+/// with pads and of drives with a max is found by the interior-point method.
 class Oracle {
  public:
-  Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads);
+  Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads,
+         Objective objective = Objective::effort);
 
   /// The half-space is right in any case.
   Answer evaluate(const Vector<3>& x, const Aim& aim);
@@ -112,6 +119,7 @@ class Oracle {
   bool is_gauge;    ///< whether the root of the value is one: value(s x) = s^2 value(x)
   double least{0};  ///< no unit vector has a lower value: forces add up to the weight
   double most{0};   ///< greater values count as unholdable
+  double unit;      ///< the root of a value of 1 [N, or as grip is told]
   int holds{0};     ///< answers so far
   std::vector<Vector<3>> candidates;  ///< postures that may be lone minima
   /// Of motions that no contact resists, and the planes of x that these leave.
@@ -126,8 +134,14 @@ class Oracle {
   void deepen(const ScaledLoad& load, const Wrench<3>& w, double t, dual::Point<3>& point) const;
   double stretch(const HalfSpace& half_space, double half) const;
   Cut cut_by(std::size_t load, const Twist<3>& y) const;
+  Answer general_answer(const Vector<3>& x);
+  HalfSpace general_half_space(std::size_t load, const Twist<3>& y, const Vector<3>& x) const;
+  bool is_grip() const { return objective_ == Objective::grip; }
 
+  const Grasp<3>& grasp_;
   const std::vector<ScaledLoad>& loads_;
+  Objective objective_;
+  std::vector<dual::ConeHand<3>> cones_;  ///< of a general oracle, in units of each load
   double shares_{0};
   std::size_t heaviest_{0};
   int contradicted_{0};  ///< holds that turned out to be none

@@ -25,8 +25,8 @@ double lower_bound(SearchState& state);
 /// The half-spaces that are needed for a bound t, as cuts.
 std::vector<Cut> certificate(const SearchState& state, double t);
 
-/// What the cuts prove, whatever rounding of long y made the search believe: at most `claimed` [squared weights], at
-/// least `least`, which needs no cut.
+/// What the cuts prove, whatever rounding of long y made the search believe: at most `claimed`
+/// [squared weights], at least `least`, which needs no cut.
 double proven_bound(const Grasp<3>& grasp, const std::vector<Cut>& cuts, bool is_gauge,
                     double least, double claimed, double gap);
 

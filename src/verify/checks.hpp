@@ -46,6 +46,12 @@ template <int Dim>
 Vec check_contact(Verdict& verdict, const Path& place, const RealContact& contact, Real weight,
                   const ContactClaim<Dim>& claim);
 
+/// What is least in a hold: the effort or the grip.
+template <int Dim>
+Real value(const HoldClaim<Dim>& hold) {
+  return hold.objective == Objective::grip ? hold.grip.value_or(0) : hold.effort;
+}
+
 /// The load of which an answer gives the number; the first where there is no such one.
 const RealLoad& load_of(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                         std::size_t scenario);

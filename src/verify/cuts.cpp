@@ -27,9 +27,25 @@ bool is_unlimited(const RealGrasp& grasp) {
 /// Where y proves that up = x needs an effort above t: 2 (y . w(x) - phi(G^T y)) > t. Without
 /// limits and with the weight alone a longer or shorter y proves more, and the best length is
 /// known.
-HalfSpace half_space(const RealGrasp& grasp, const RealLoad& load, const Vec& y, Real t) {
+HalfSpace half_space(const RealGrasp& grasp, const RealLoad& load, const Cut& cut,
+                     const OptionsClaim& options, Real t) {
+  const Vec y = real(cut.y), none = Vec::Zero(y.size());
+  std::vector<Real> rates;
+  if (cut.rates) rates.assign(cut.rates->begin(), cut.rates->end());
   const Vec v = load.weight * velocity(y, load.com);
   const Real value = phi(grasp, y), slack = delta * imbalance_power(load, y);
+  if (options.objective == Objective::grip) {
+    // Of (y, rates): (sum of rates) F >= y . w(x), less what contacts can do.
+    Real sum = 0;
+    for (const Real rate : rates) sum += rate;
+    const Real limits =
+        -grip_bound(grasp, none, y, rates, options.force_cap * grasp.greatest_weight());
+    return {v.head<3>() / v.norm(), (sum * t + limits - y.dot(load.fixed) + slack) / v.norm()};
+  }
+  if (!rates.empty()) {
+    const Real drives = -bound(grasp, none, y, rates) / 2;
+    return {v.head<3>() / v.norm(), (t / 2 + drives - y.dot(load.fixed) + slack) / v.norm()};
+  }
   const bool scales = is_unlimited(grasp) && load.fixed.isZero(0);
   const Real b =
       scales ? std::sqrt(2 * std::max(value, Real{0}) * t) : t / 2 + value - y.dot(load.fixed);
@@ -111,20 +127,27 @@ Distances left_by(std::vector<HalfSpace> cuts) {
 }  // namespace
 
 void check_cuts(Verdict& verdict, const RealGrasp& grasp, const std::vector<Cut>& cuts,
-                const std::optional<Tilt>& tilt, Real least, const std::string& words) {
+                const OptionsClaim& options, Real least, const std::string& words) {
   const Path list = Path() / "cuts";
   std::vector<HalfSpace> half_spaces;
   for (std::size_t k = 0; k < cuts.size(); ++k) {
     if (cuts[k].n) {
       const Vec3 n = cuts[k].n->cast<Real>();
-      const Real greatest = greatest_in_domain(n, tilt) / n.norm();
+      const Real greatest = greatest_in_domain(n, options.tilt) / n.norm();
       verdict.check(list[k] / "n", "n . x <= 0 in the whole domain [of n]", greatest, 1e-9L);
       // Nothing of the domain is cut off, however thin it is, not even by rounding.
       half_spaces.push_back({n / n.norm(), std::max(greatest, Real{0}) + 1e-15L});
       continue;
     }
     const RealLoad& load = load_of(verdict, list[k] / "scenario", grasp, cuts[k].load);
-    const HalfSpace half = half_space(grasp, load, real(cuts[k].y), least);
+    const std::size_t rates = cuts[k].rates ? cuts[k].rates->size() : 0;
+    const bool right =
+        (rates == 0 || rates == grasp.drives.size()) &&
+        (rates == 0 || std::all_of(cuts[k].rates->begin(), cuts[k].rates->end(),
+                                   [](double rate) { return rate >= 0 && std::isfinite(rate); }));
+    verdict.check(list[k] / "rates", "rates are of the drives, and at least 0", right);
+    if (!right) return;
+    const HalfSpace half = half_space(grasp, load, cuts[k], options, least);
     if (std::isfinite(half.b) && half.a.allFinite())  // else y does not move the com
       half_spaces.push_back(half);
   }
@@ -133,7 +156,9 @@ void check_cuts(Verdict& verdict, const RealGrasp& grasp, const std::vector<Cut>
   // Without any cut: forces add up to the weight, and W^2 <= V sum share.
   Real shares = 0;
   for (const RealContact& contact : grasp.contacts) shares += contact.share;
-  const Real alone = std::sqrt(least * shares) / grasp.greatest_weight();
+  const Real alone = options.objective == Objective::grip
+                         ? std::numeric_limits<Real>::infinity()
+                         : std::sqrt(least * shares) / grasp.greatest_weight();
   verdict.check(list, words, std::min({left.farthest, 1 / left.nearest, alone}), 1 + 1e-6L);
 }
 

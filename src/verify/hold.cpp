@@ -12,12 +12,6 @@ namespace {
 constexpr Real most_off = 1e-11L;  ///< of the balance [weights]
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
-/// What is least.
-template <int Dim>
-Real value(const HoldClaim<Dim>& hold) {
-  return hold.objective == Objective::grip ? hold.grip.value_or(0) : hold.effort;
-}
-
 template <int Dim>
 void check_posture(Verdict& verdict, const Path& place, const HoldClaim<Dim>& hold) {
   const Vec up = real(hold.up);

@@ -77,6 +77,8 @@ bool is_surely_inside(const RealGrasp& grasp, const std::optional<Tilt>& tilt,
 void check_in_domain(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                      const OptionsClaim& options, const HoldClaim<3>& hold) {
   check_least_hold(verdict, place, grasp, hold, options.force_cap);
+  verdict.check(place / "objective", "objective is that of the options",
+                hold.objective == options.objective);
   verdict.check(place, "an optimum is holdable", hold.holdable);
   if (options.tilt)
     verdict.check(place, "the posture lies in the domain [rad]",
@@ -88,8 +90,8 @@ void check_minima(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3
   for (std::size_t k = 0; k < best.minima.size(); ++k)
     check_in_domain(verdict, list[k], grasp, best.options, best.minima[k]);
   for (std::size_t k = 1; k < best.minima.size(); ++k)
-    verdict.check(list, "minima are in the order of their effort",
-                  (Real{best.minima[k - 1].effort} - best.minima[k].effort) / best.minima[k].effort,
+    verdict.check(list, "minima are in the order of what they need",
+                  (value(best.minima[k - 1]) - value(best.minima[k])) / value(best.minima[k]),
                   1e-8L);
   verdict.unchecked(list, "that they are all, and minima, and no two the same: each is a hold");
 }
@@ -110,7 +112,7 @@ void check_pinched(Verdict& verdict, const RealGrasp& grasp, const BestDocument<
   for (const HoldClaim<3>& minimum : best.minima)
     if (minimum.manner == Manner::pinched && is_surely_inside(grasp, best.options.tilt, minimum))
       verdict.check(place, "best_pinched is no higher than a pinched minimum inside the domain",
-                    pinched ? Real{pinched->effort} / minimum.effort : 2, 1 + 1e-8L);
+                    pinched ? value(*pinched) / value(minimum) : 2, 1 + 1e-8L);
   if (!pinched) return;
   check_in_domain(verdict, place, grasp, best.options, *pinched);
   verdict.check(place, "best_pinched is pinched", pinched->manner == Manner::pinched);
@@ -125,9 +127,10 @@ void check_best_hold(Verdict& verdict, const RealGrasp& grasp, const BestDocumen
                      Real bound) {
   const Path place = Path() / "best", of_gap = Path() / "relative_gap";
   check_in_domain(verdict, place, grasp, best.options, *best.best);
-  const Real effort = best.best->effort, gap = (effort - bound) / effort;
-  verdict.check(Path() / "lower_bound", "lower_bound is not above effort", -gap, 1e-9L);
-  verdict.check(of_gap, "relative_gap is (effort - lower_bound) / effort",
+  const Real effort = value(*best.best), gap = effort > 0 ? (effort - bound) / effort : 0;
+  verdict.check(Path() / "lower_bound", "lower_bound is not above what the best needs", -gap,
+                1e-9L);
+  verdict.check(of_gap, "relative_gap is (value - lower_bound) / value",
                 best.relative_gap ? std::abs(*best.relative_gap - std::max(Real{0}, gap)) : 1,
                 1e-13L);
   if (best.status == Status::optimal)
@@ -141,16 +144,17 @@ void check_best_hold(Verdict& verdict, const RealGrasp& grasp, const BestDocumen
   if (listed)
     verdict.check(place, "best is the first of the minima",
                   (real(best.best->up) - real(best.minima.front().up)).norm() +
-                      difference(effort, best.minima.front().effort),
+                      difference(effort, value(best.minima.front())),
                   1e-9L);
 }
 
 }  // namespace
 
 void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>& best) {
-  check_options(verdict, grasp.dim, best.options, {"domain", "gap", "max_holds"},
+  check_options(verdict, grasp.dim, best.options, {"domain", "gap", "max_holds", "objective"},
                 {"tilt", "orientation"});
   const Real cap = best.options.force_cap * grasp.greatest_weight();
+  const bool is_grip = best.options.objective == Objective::grip;
   verdict.check(Path() / "minima_complete", "no list of minima in space is complete",
                 !best.minima_complete);
   verdict.unchecked(Path() / "holds", "how many holds the proof took");
@@ -159,14 +163,22 @@ void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>&
     verdict.check(Path() / "best", "is null where nothing is held", !best.best);
     verdict.check(Path() / "lower_bound", "is null where nothing is held", !best.lower_bound);
     check_null(verdict, best, "is null where nothing is held");
-    return check_cuts(verdict, grasp, best.cuts, best.options.tilt, cap * cap,
+    Real most = cap * cap;
+    if (is_grip) {
+      most = cap;
+      for (const RealDrive& drive : grasp.drives) {
+        if (drive.turns) most = std::min(most, cap * grasp.loads[0].radius);
+        most = std::min(most, drive.max / grasp.unit(drive));
+      }
+    }
+    return check_cuts(verdict, grasp, best.cuts, best.options, most,
                       "cuts prove that the force cap is not enough: they leave nothing on the "
                       "unit sphere");
   }
   verdict.check(Path() / "lower_bound", "there is a lower bound", best.lower_bound.has_value());
   const Real bound = best.lower_bound.value_or(0);
   if (bound > 0)
-    check_cuts(verdict, grasp, best.cuts, best.options.tilt, bound,
+    check_cuts(verdict, grasp, best.cuts, best.options, bound,
                "cuts prove lower_bound: they leave nothing on the unit sphere");
   verdict.check(Path() / "best", "best is null only where the gap stays open",
                 best.best || best.status == Status::gap);

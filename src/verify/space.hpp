@@ -10,10 +10,10 @@ namespace poise::verify {
 
 using Vec3 = Eigen::Matrix<Real, 3, 1>;
 
-/// Checks that by the cuts the effort is at least `least` in the whole domain (of the greatest of
-/// the loads); `words` say so.
+/// Checks that by the cuts the effort, or the grip, is at least `least` in the whole domain (of the
+/// greatest of the loads); `words` say so.
 void check_cuts(Verdict& verdict, const RealGrasp& grasp, const std::vector<Cut>& cuts,
-                const std::optional<Tilt>& tilt, Real least, const std::string& words);
+                const OptionsClaim& options, Real least, const std::string& words);
 
 /// Whether it is plain that turns to all sides can be balanced too, if no contact presses harder
 /// than before by `slack` [N].

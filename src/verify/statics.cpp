@@ -146,7 +146,8 @@ RealGrasp real_grasp(const Grasp<Dim>& grasp) {
   if (has_grip(grasp)) {
     result.in_parts = grip_unit(grasp) == GripUnit::part_of_max;
     for (const Drive<Dim>& drive : grasp.drives()) {
-      RealDrive& real_drive = result.drives.emplace_back(RealDrive{drive.name, {}, drive.max});
+      RealDrive& real_drive =
+          result.drives.emplace_back(RealDrive{drive.name, {}, drive.max, drive.turns});
       for (const auto& moved : drive.moves)
         real_drive.moves.push_back({moved.finger, real(moved.twist)});
     }

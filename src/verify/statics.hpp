@@ -50,6 +50,7 @@ struct RealDrive {
   std::string name;
   std::vector<Moved> moves;
   Real max{0};  ///< may be infinite
+  bool turns{false};
 };
 
 struct RealGrasp {

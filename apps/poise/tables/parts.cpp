@@ -97,7 +97,10 @@ void add_posture(Table& table, const std::string& which, const Grasp<Dim>& grasp
                  const Posture<Dim>& posture, const std::string& how) {
   const bool holdable = posture.holdable();
   table.add({which, posture_text(posture.up),
-             holdable ? "grip force " + newtons(grip_force(grasp, posture)) : "cannot be held",
+             !holdable ? "cannot be held"
+             : posture.hold().objective == Objective::grip
+                 ? "grip " + grip_text(grasp, posture.hold())
+                 : "grip force " + newtons(grip_force(grasp, posture)),
              holdable ? to_string(posture.manner) : "", how});
 }
 
@@ -237,6 +240,9 @@ std::string optima_table(const std::vector<OptimumRow>& rows, const std::vector<
 template <int Dim>
 std::string why_pinching_costs(const Grasp<Dim>& grasp, const Posture<Dim>& best,
                                const Posture<Dim>& pinched) {
+  if (best.hold().objective == Objective::grip)
+    return fmt::format("Pinched it costs {} times the grip.",
+                       plain(pinched.value() / best.value()));
   const double factor = pinched.effort() / best.effort();
   const std::string cost = fmt::format(
       "Pinched it costs {} times the force norm ({} times the effort): ", plain(std::sqrt(factor)),

@@ -44,14 +44,17 @@ const char* what_may_tell(const Best<3>& best, const SpatialSettings& settings) 
 
 /// How sure the best is.
 std::string proof_text(const Best<3>& best, const SpatialSettings& settings) {
+  const bool is_grip = settings.objective == Objective::grip;
   if (best.status == Status::optimal)
     return fmt::format(
-        "Proven with {} holds: the effort of no posture{} is lower by more than a part of {:.1g}.",
-        best.proof.holds, scope(settings), std::max(best.relative_gap, 1e-12));
+        "Proven with {} holds: the {} of no posture{} is lower by more than a part of {:.1g}.",
+        best.proof.holds, to_string(settings.objective), scope(settings),
+        std::max(best.relative_gap, 1e-12));
   return fmt::format(
       "Not proven: a gap of {:.2g} was wanted, after {} holds it is {:.2g}. A posture{} may exist "
-      "that needs an effort of only {} N²; {}",
-      settings.gap, best.proof.holds, best.relative_gap, scope(settings), plain(best.lower_bound),
+      "that needs {} of only {}{}; {}",
+      settings.gap, best.proof.holds, best.relative_gap, scope(settings),
+      is_grip ? "a grip" : "an effort", plain(best.lower_bound), is_grip ? "" : " N²",
       what_may_tell(best, settings));
 }
 
