@@ -23,9 +23,10 @@ struct Settings {
 };
 
 Settings settings(Domain domain, double force_cap, double gap, int max_holds,
-                  const py::object& tilt, int starts) {
+                  const py::object& tilt, int starts, Objective objective) {
   Settings result{.curve = curve_settings(domain, force_cap),
-                  .space = {.gap = gap,
+                  .space = {.objective = objective,
+                            .gap = gap,
                             .max_holds = max_holds,
                             .force_cap = checked_cap(force_cap),
                             .starts = starts}};
@@ -44,7 +45,8 @@ Grasp<3> together(const std::vector<GraspPointer>& scenarios) {
       throw InvalidGrasp("scenarios", "must all have the same contacts");
     loads.insert(loads.end(), grasp.loads().begin(), grasp.loads().end());
   }
-  return {loads, given_contacts(only<3>(*scenarios.front()))};
+  const Grasp<3>& first = only<3>(*scenarios.front());
+  return {loads, given_contacts(first), 1, first.mechanism()};
 }
 
 AnyBest best_in_space(const Grasp<3>& grasp, const Settings& settings) {
@@ -60,6 +62,8 @@ AnyBest best_of(const GraspOrScenarios& held, const Settings& settings) {
   const auto* const planar = std::get_if<Grasp<2>>(&one.of);
   if (!planar) return best_in_space(only<3>(one), settings);
   if (settings.space.tilt) throw InvalidGrasp("tilt", "is for space, the grasp is in the plane");
+  if (settings.space.objective == Objective::grip)
+    throw InvalidGrasp("objective", "grip is found by hold alone in the plane");
   return {best_posture(*planar, settings.curve)};
 }
 
@@ -69,8 +73,8 @@ py::object write(const AnyBest& best) {
 }
 
 py::object best_asked(const GraspOrScenarios& held, Domain domain, double force_cap, double gap,
-                      int max_holds, const py::object& tilt, int starts) {
-  const Settings all = settings(domain, force_cap, gap, max_holds, tilt, starts);
+                      int max_holds, const py::object& tilt, int starts, Objective objective) {
+  const Settings all = settings(domain, force_cap, gap, max_holds, tilt, starts, objective);
   return write([&] {
     const py::gil_scoped_release unlocked;
     return best_of(held, all);
@@ -78,8 +82,9 @@ py::object best_asked(const GraspOrScenarios& held, Domain domain, double force_
 }
 
 py::list best_many(const std::vector<GraspOrScenarios>& many, Domain domain, double force_cap,
-                   double gap, int max_holds, const py::object& tilt, int starts) {
-  const Settings all = settings(domain, force_cap, gap, max_holds, tilt, starts);
+                   double gap, int max_holds, const py::object& tilt, int starts,
+                   Objective objective) {
+  const Settings all = settings(domain, force_cap, gap, max_holds, tilt, starts, objective);
   std::vector<AnyBest> best(many.size());
   {
     const py::gil_scoped_release unlocked;
@@ -209,7 +214,7 @@ void add_best(py::module_& module) {
       "best_posture", &best_asked, py::arg("grasp"), py::kw_only(), py::arg("domain") = Domain::all,
       py::arg("force_cap") = 1e6, py::arg("gap") = spatial.gap,
       py::arg("max_holds") = spatial.max_holds, py::arg("tilt") = py::none(),
-      py::arg("starts") = spatial.starts,
+      py::arg("starts") = spatial.starts, py::arg("objective") = Objective::effort,
       "The best posture of a grasp. In the plane exactly, within the domain: BestPosture.\n\n"
       "In space with a certificate, a BestSpatialPosture: until (effort - lower_bound) / effort "
       "is\n"
@@ -221,6 +226,7 @@ void add_best(py::module_& module) {
              py::arg("domain") = Domain::all, py::arg("force_cap") = 1e6,
              py::arg("gap") = spatial.gap, py::arg("max_holds") = spatial.max_holds,
              py::arg("tilt") = py::none(), py::arg("starts") = spatial.starts,
+             py::arg("objective") = Objective::effort,
              "The best postures of many grasps, in their order, on all cores; see best_posture.");
   module.def(
       "posture_at",

@@ -1,4 +1,5 @@
 #include "files/grasp_file.hpp"
+#include "files/grasp_writer.hpp"
 #include "module.hpp"
 #include "values.hpp"
 
@@ -23,7 +24,12 @@ py::object write(const CommonFile<Dim>& file, const py::object& object) {
   py::object result =
       py::module_::import("poise._files")
           .attr("GraspFile")(object, python::write(file.contacts), "name"_a = file.name,
-                             "safety"_a = file.safety, "warnings"_a = file.warnings);
+                             "safety"_a = file.safety, "warnings"_a = file.warnings,
+                             "objective"_a = file.objective);
+  const py::dict keys =
+      py::module_::import("json").attr("loads")(mechanism_document(file.mechanism));
+  result.attr("drives") = keys.attr("get")("drives");
+  result.attr("fingers") = keys.attr("get")("fingers");
   if (file.shape)
     result.attr("shape") = std::visit([](const auto& shape) { return write(shape); }, *file.shape);
   return result;

@@ -1,19 +1,51 @@
 #include "poise/grasp.hpp"
 
+#include "files/grasp_document.hpp"
+#include "files/grasp_writer.hpp"
+#include "files/mechanism_field.hpp"
 #include "module.hpp"
 #include "values.hpp"
 
 namespace poise::python {
 namespace {
 
+/// What `drives` and `fingers` of a grasp file would say.
+template <int Dim>
+Mechanism<Dim> read_mechanism(const py::object& drives, const py::object& fingers,
+                              const std::vector<Contact<Dim>>& contacts) {
+  py::dict keys;
+  if (!drives.is_none()) keys["drives"] = drives;
+  if (!fingers.is_none()) keys["fingers"] = fingers;
+  if (keys.empty()) return {};
+  const auto text = py::module_::import("json")
+                        .attr("dumps")(keys, py::arg("default") =
+                                                 py::module_::import("poise._files").attr("_plain"))
+                        .cast<std::string>();
+  try {
+    const Document document = parse_json(text, "");
+    return poise::read_mechanism<Dim>(Field(document), 1, contacts, DriveKind::each);
+  } catch (const FileError& error) {
+    throw InvalidGrasp(error.path(), error.problem());
+  }
+}
+
+/// The same the other way round: (drives, fingers), None where there is nothing to say.
+py::tuple write_mechanism(const auto& mechanism) {
+  const py::dict keys = py::module_::import("json").attr("loads")(mechanism_document(mechanism));
+  return py::make_tuple(keys.attr("get")("drives"), keys.attr("get")("fingers"));
+}
+
 std::shared_ptr<AnyGrasp> make_grasp(const py::object& object, const py::iterable& contacts,
-                                     double safety) {
+                                     double safety, const py::object& drives,
+                                     const py::object& fingers) {
   const py::list list(contacts);
   if (list.empty()) throw InvalidGrasp("contacts", "is empty, must hold at least one contact");
   const bool space = list[0].attr("position").cast<Eigen::VectorXd>().size() == 3;
   const auto make = [&]<int Dim>(std::integral_constant<int, Dim>) {
-    return std::make_shared<AnyGrasp>(
-        AnyGrasp{Grasp<Dim>(read_loads<Dim>(object), read_contacts<Dim>(list), safety)});
+    std::vector<Contact<Dim>> all = read_contacts<Dim>(list);
+    Mechanism<Dim> mechanism = read_mechanism<Dim>(drives, fingers, all);
+    return std::make_shared<AnyGrasp>(AnyGrasp{
+        Grasp<Dim>(read_loads<Dim>(object), std::move(all), safety, std::move(mechanism))});
   };
   return space ? make(std::integral_constant<int, 3>()) : make(std::integral_constant<int, 2>());
 }
@@ -46,9 +78,17 @@ void add_grasp(py::module_& module) {
       "list:\n"
       "what it may be, each of which must be held.\n\n"
       "safety: every friction and torsion is divided by it, >= 1\n"
+      "drives, fingers: as in a grasp file, in SI units: \"each\", \"coupled\" or a list of "
+      "drives;\n"
+      "{label: {\"closing\": direction, \"max_force\": N}}\n"
       "Raises InvalidGrasp where a number is not finite or out of its range, a normal has no\n"
       "length, or there are no contacts.")
-      .def(py::init(&make_grasp), py::arg("object"), py::arg("contacts"), py::arg("safety") = 1.0)
+      .def(py::init(&make_grasp), py::arg("object"), py::arg("contacts"), py::arg("safety") = 1.0,
+           py::arg("drives") = py::none(), py::arg("fingers") = py::none())
+      .def_property_readonly("mechanism", each<AnyGrasp>([](const auto& grasp) {
+                               return write_mechanism(grasp.mechanism());
+                             }),
+                             "(drives, fingers) as they were given; None where nothing was.")
       .def_property_readonly("dimension",
                              each<AnyGrasp>([]<int Dim>(const Grasp<Dim>&) { return Dim; }),
                              "2: the plane, 3: space")
@@ -70,9 +110,13 @@ void add_grasp(py::module_& module) {
            "The wrench that the contacts must supply in the posture up (2,) or (3,): weight * up\n"
            "through the centre of mass, about the origin. (3,) or (6,): force [N], moment [N m]")
       .def(py::pickle(each<AnyGrasp>([](const auto& grasp) {
-                        return py::make_tuple(write(grasp.loads()), write(given_contacts(grasp)));
+                        const py::tuple mechanism = write_mechanism(grasp.mechanism());
+                        return py::make_tuple(write(grasp.loads()), write(given_contacts(grasp)),
+                                              mechanism[0], mechanism[1]);
                       }),
-                      [](const py::tuple& state) { return make_grasp(state[0], state[1], 1); }))
+                      [](const py::tuple& state) {
+                        return make_grasp(state[0], state[1], 1, state[2], state[3]);
+                      }))
       .def("__repr__", each<AnyGrasp>([](const auto& grasp) {
              return py::str("Grasp(weight={:g} N, {} contacts, fingers={})")
                  .format(grasp.weight(), grasp.contacts().size(), grasp.fingers());

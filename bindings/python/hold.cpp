@@ -2,6 +2,7 @@
 
 #include "module.hpp"
 #include "parallel.hpp"
+#include "poise/grip.hpp"
 #include "values.hpp"
 
 namespace poise::python {
@@ -83,8 +84,9 @@ py::array_t<double> torsion_moments(const AnyHolds& any) {
       any.of);
 }
 
-AnyHold hold_posture(const AnyGrasp& any, const Eigen::VectorXd& up, double force_cap) {
-  const HoldSettings settings{.force_cap = checked_cap(force_cap)};
+AnyHold hold_posture(const AnyGrasp& any, const Eigen::VectorXd& up, double force_cap,
+                     Objective objective) {
+  const HoldSettings settings{.force_cap = checked_cap(force_cap), .objective = objective};
   return std::visit(
       [&]<int Dim>(const Grasp<Dim>& grasp) {
         return AnyHold{hold<Dim>(grasp, unit<Dim>(up), settings)};
@@ -93,10 +95,10 @@ AnyHold hold_posture(const AnyGrasp& any, const Eigen::VectorXd& up, double forc
 }
 
 AnyHold hold_load(const AnyGrasp& any, const Eigen::VectorXd& load, const Eigen::VectorXd& y,
-                  double force_cap) {
+                  double force_cap, Objective objective) {
   if (!load.allFinite()) throw InvalidGrasp("load", "must be finite");
   if (!y.allFinite()) throw InvalidGrasp("y", "must be finite");
-  const HoldSettings settings{.force_cap = checked_cap(force_cap)};
+  const HoldSettings settings{.force_cap = checked_cap(force_cap), .objective = objective};
   return std::visit(
       [&]<int Dim>(const Grasp<Dim>& grasp) {
         constexpr int size = wrench_size<Dim>;
@@ -106,8 +108,8 @@ AnyHold hold_load(const AnyGrasp& any, const Eigen::VectorXd& load, const Eigen:
       any.of);
 }
 
-AnyHolds hold_many(const AnyGrasp& any, const Ups& ups, double force_cap) {
-  const HoldSettings settings{.force_cap = checked_cap(force_cap)};
+AnyHolds hold_many(const AnyGrasp& any, const Ups& ups, double force_cap, Objective objective) {
+  const HoldSettings settings{.force_cap = checked_cap(force_cap), .objective = objective};
   return std::visit(
       [&]<int Dim>(const Grasp<Dim>& grasp) {
         std::vector<Vector<Dim>> units;
@@ -191,6 +193,13 @@ void add_holds(py::module_& module) {
       .either("dual", [](const auto& hold) -> Eigen::VectorXd { return hold.dual; })
       .either("lower_bound", [](const auto& hold) { return hold.lower_bound; })
       .either("residual", [](const auto& hold) { return hold.residual; })
+      .either("objective", [](const auto& hold) { return hold.objective; })
+      .either("grip", [](const auto& hold) { return hold.grip; })
+      .either("rates",
+              [](const auto& hold) -> Eigen::VectorXd {
+                return Eigen::Map<const Eigen::VectorXd>(
+                    hold.rates.data(), static_cast<Eigen::Index>(hold.rates.size()));
+              })
       .attribute("forces", &forces)
       .def("__repr__", [](const AnyHold& any) {
         return std::visit(
@@ -238,12 +247,13 @@ void add_hold(py::module_& module) {
   const py::call_guard<py::gil_scoped_release> unlocked;
 
   module.def("hold", &hold_posture, py::arg("grasp"), py::arg("up"), py::kw_only(),
-             py::arg("force_cap") = 1e6, unlocked,
-             "The hold of least effort in the posture up (2,) or (3,), the direction against "
+             py::arg("force_cap") = 1e6, py::arg("objective") = Objective::effort, unlocked,
+             "The hold of least effort, or of least grip within what the drives give, in the "
+             "posture up (2,) or (3,), the direction against "
              "gravity in\nthe object frame, of any length. A load that needs a force norm above "
              "force_cap [weights]\nis unholdable.");
   module.def("hold", &hold_load, py::arg("grasp"), py::arg("load"), py::arg("y"), py::kw_only(),
-             py::arg("force_cap") = 1e6, unlocked,
+             py::arg("force_cap") = 1e6, py::arg("objective") = Objective::effort, unlocked,
              "The same for any load (3,) or (6,): force [N], moment [N m], about the object "
              "frame's\norigin, started at a twist y of that shape that was optimal for a load "
              "nearby.");
@@ -273,7 +283,7 @@ void add_hold(py::module_& module) {
       "What a twist y (3,) or (6,) proves of a load of that shape, both about the object frame's\n"
       "origin: its effort is at least 2 (y . load - phi(G^T y)) [N^2], whatever y is.");
   module.def("hold_many", &hold_many, py::arg("grasp"), py::arg("ups"), py::kw_only(),
-             py::arg("force_cap") = 1e6, unlocked,
+             py::arg("force_cap") = 1e6, py::arg("objective") = Objective::effort, unlocked,
              "The holds in many postures ups (k, 2) or (k, 3), in their order, on all cores.");
   module.def("finger_forces", &fingers, py::arg("grasp"), py::arg("hold"),
              "A FingerForce for each of grasp.fingers. Empty where unholdable.");
@@ -285,6 +295,39 @@ void add_hold(py::module_& module) {
       },
       py::arg("grasp"), py::arg("hold"),
       "How hard the hardest pressing finger presses: the largest normal force of a finger [N].");
+  module.def(
+      "grip",
+      [](const AnyGrasp& any, const AnyHold& hold) {
+        return each(any, hold, [](const auto& grasp, const auto& own) { return grip(grasp, own); });
+      },
+      py::arg("grasp"), py::arg("hold"),
+      "The grip of the forces of a hold: the greatest effort of the drives [N], of joints [N m], "
+      "or\n"
+      "the greatest part of max where drives are of different kinds.");
+  module.def(
+      "drive_efforts",
+      [](const AnyGrasp& any, const AnyHold& hold) {
+        return each(any, hold, [](const auto& grasp, const auto& own) {
+          std::vector<double> efforts;
+          for (const DriveEffort& drive : drive_efforts(grasp, own))
+            efforts.push_back(drive.effort);
+          return efforts;
+        });
+      },
+      py::arg("grasp"), py::arg("hold"), "What the drives do [N, or N m]. Empty where unholdable.");
+  module.def(
+      "least_grip",
+      [](const AnyGrasp& any, const Eigen::VectorXd& up, double force_cap) {
+        const HoldSettings settings{.force_cap = checked_cap(force_cap)};
+        return std::visit(
+            [&]<int Dim>(const Grasp<Dim>& grasp) {
+              return AnyHold{least_grip<Dim>(grasp, unit<Dim>(up), settings)};
+            },
+            any.of);
+      },
+      py::arg("grasp"), py::arg("up"), py::kw_only(), py::arg("force_cap") = 1e6, unlocked,
+      "The hold of least grip, and of least effort among those, in the posture up (2,) or (3,),\n"
+      "whatever the drives give.");
   module.def(
       "all_loaded",
       [](const AnyGrasp& any, const AnyHold& hold) {

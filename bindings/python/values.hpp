@@ -34,6 +34,8 @@ inline constexpr auto enum_name<Kind> = py::detail::const_name("Kind");
 template <>
 inline constexpr auto enum_name<Status> = py::detail::const_name("Status");
 template <>
+inline constexpr auto enum_name<Objective> = py::detail::const_name("Objective");
+template <>
 inline constexpr auto enum_name<Domain> = py::detail::const_name("Domain");
 
 }  // namespace poise::python

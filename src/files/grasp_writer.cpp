@@ -33,7 +33,8 @@ Json head(const CommonFile<Dim>& file) {
   Json result = {{"poise", 1}, {"dimension", Dim}};
   if (!file.name.empty()) result["name"] = file.name;
   if (file.safety != 1) result["safety"] = file.safety;
-  if (file.objective != CommonFile<Dim>{}.objective) result["objective"] = to_string(file.objective);
+  if (file.objective != CommonFile<Dim>{}.objective)
+    result["objective"] = to_string(file.objective);
   return result;
 }
 
@@ -64,8 +65,7 @@ template <int Dim>
 void add_mechanism(Json& result, const Mechanism<Dim>& mechanism, DriveKind otherwise) {
   if (mechanism.kind == DriveKind::listed) {
     result["drives"] = Json::array();
-    for (const Drive<Dim>& drive : mechanism.drives)
-      result["drives"].push_back(drive_value(drive));
+    for (const Drive<Dim>& drive : mechanism.drives) result["drives"].push_back(drive_value(drive));
   } else if (mechanism.kind != otherwise) {
     result["drives"] = to_string(mechanism.kind);
   }
@@ -166,10 +166,20 @@ std::string grasp_document(const SpatialFile& file, WriteAs as, const std::strin
     result["gripper"] = std::visit([](const auto& g) { return gripper_value(g); }, *file.gripper);
   else
     result["contacts"] = contact_values(file.contacts);
-  const bool is_jaw = result.contains("gripper") && std::holds_alternative<ParallelJaw>(*file.gripper);
+  const bool is_jaw =
+      result.contains("gripper") && std::holds_alternative<ParallelJaw>(*file.gripper);
   add_mechanism(result, file.mechanism, is_jaw ? DriveKind::coupled : DriveKind::each);
   return json_text(result);
 }
+
+template <int Dim>
+std::string mechanism_document(const Mechanism<Dim>& mechanism) {
+  Json result = Json::object();
+  add_mechanism(result, mechanism, DriveKind::each);
+  return result.dump();
+}
+template std::string mechanism_document(const Mechanism<2>&);
+template std::string mechanism_document(const Mechanism<3>&);
 
 std::string mesh_document(const Mesh& mesh) {
   Json points = Json::array();

@@ -24,6 +24,10 @@ std::string mesh_document(const Mesh& mesh);
 nlohmann::ordered_json shape_value(const Shape& shape);
 nlohmann::ordered_json shape_value(const Solid& solid);
 
+/// The keys `drives` and `fingers` of a grasp file, as far as they are not as they would be anyway.
+template <int Dim>
+std::string mechanism_document(const Mechanism<Dim>& mechanism);
+
 /// A tilt as it is written in a grasp file.
 nlohmann::ordered_json tilt_value(const Tilt& tilt);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "dual/cone_plane.hpp"
@@ -97,6 +98,19 @@ template <int Dim>
 Cut cut_by(const Question<Dim>& asked, const Twist<Dim>& y) {
   const Power most = power(asked.hand, slides(asked.hand, y), 1);
   return {asked.driven(y) - asked.settings.force_cap * most.growing, most.fixed};
+}
+
+/// Equation (8) knows neither pads nor drives.
+template <int Dim>
+void check_plain(const Hand<Dim>& hand) {
+  for (std::size_t i = 0; i < hand.contacts().size(); ++i)
+    if (hand.contacts()[i].pad)
+      throw InvalidGrasp("contacts[" + std::to_string(i) + "].pad",
+                         "is not taken into account by capacity: give points with shares");
+  if (hand.is_general())
+    throw InvalidGrasp("drives",
+                       "have a max, which capacity does not take into account: leave it "
+                       "out, or give max_normal of the contacts");
 }
 
 /// In every hold of the greatest weight (8) is an equation.
@@ -329,6 +343,7 @@ class FrictionSearch {
 template <int Dim>
 WeightRange<Dim> weight_range(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
                               const HoldSettings& settings) {
+  check_plain(hand);
   const Question<Dim> asked{hand, load, up, settings};
   return WeightSearch<Dim>(asked).run();
 }
@@ -342,6 +357,7 @@ std::vector<Deciding> deciding(const Hand<Dim>& hand, const Load<Dim>& load, con
 template <int Dim>
 LeastFriction<Dim> least_friction(const Hand<Dim>& hand, const Load<Dim>& load,
                                   const Vector<Dim>& up, const HoldSettings& settings) {
+  check_plain(hand);
   const Question<Dim> asked{hand, load, up, settings};
   return FrictionSearch<Dim>(asked).run();
 }
@@ -350,6 +366,7 @@ template <int Dim>
 Capacity<Dim> capacity(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
                        double safety, const HoldSettings& settings) {
   if (!(safety >= 1) || !std::isfinite(safety)) throw InvalidGrasp("safety", "must be at least 1");
+  check_plain(hand);
   const Question<Dim> asked{hand, load, up, settings};
   Hold<Dim> safe = asked.hold(hand.scaled().with_friction(1 / safety), load.weight, 1 / safety);
   return {weight_range(hand, load, up, settings), least_friction(hand, load, up, settings),

@@ -180,6 +180,7 @@ bool force_closure(const Hand<Dim>& hand) {
     columns.bottomRows(rows - Dim) -= moment_of_force(hand.center(), columns);
     columns.bottomRows(rows - Dim) /= L;
     span += columns.leftCols(forces) * columns.leftCols(forces).transpose();
+    if (contact.pad) span += Eigen::Matrix<double, rows, rows>::Identity();  // it feels all
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, rows, rows>> eigen(span);
   if (eigen.eigenvalues()[0] <= 1e-12 * eigen.eigenvalues()[rows - 1]) return false;

@@ -166,6 +166,11 @@ Interval domain_interval(const Grasp<2>& grasp, Domain domain) {
 PostureCurve posture_curve(const Grasp<2>& grasp, const CurveSettings& settings) {
   if (grasp.loads().size() > 1)
     throw InvalidGrasp("loads", "must be one: the grasp is in the plane");
+  if (grasp.is_general())
+    throw InvalidGrasp(
+        "drives",
+        "have a max, which in the plane hold alone takes into account: leave it out, "
+        "or give max_normal of the contacts");
   PostureCurve curve = trace(grasp, settings);
   order(curve, curve.unholdable_arcs);
   add_points(grasp, settings.force_cap, curve);

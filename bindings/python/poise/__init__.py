@@ -23,6 +23,7 @@ from ._types import (
     Manner,
     MeshShape,
     Object,
+    Objective,
     Pad,
     Polygon,
     Sphere,

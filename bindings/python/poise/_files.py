@@ -22,6 +22,7 @@ from ._types import (
     Ellipsoid,
     MeshShape,
     Object,
+    Objective,
     Polygon,
     Shape,
     Sphere,
@@ -50,17 +51,26 @@ class GraspFile:
     tilt: Optional[Tilt] = None  #: space: the postures to choose from; None: all
     #: What is allowed but looks like a mistake: "FILE:LINE:COLUMN: path: words".
     warnings: List[str] = field(default_factory=list)
+    objective: Objective = Objective.effort  #: what is to be least
+    #: "each", "coupled" or a list of drives, as in a grasp file; None: each
+    drives: Union[str, List[Dict[str, Any]], None] = None
+    fingers: Optional[Dict[str, Dict[str, Any]]] = None  #: closing and max_force, by label
 
     def grasp(self) -> _core.Grasp:
         """The grasp, checked and prepared. Raises InvalidGrasp where there are scenarios."""
         if not isinstance(self.object, Object):
             raise InvalidGrasp("object", "has scenarios, ask for grasps()")
-        return _core.Grasp(self.object, self.contacts, self.safety)
+        return _core.Grasp(
+            self.object, self.contacts, self.safety, self.drives, self.fingers
+        )
 
     def grasps(self) -> List[_core.Grasp]:
         """The grasp of each scenario; of one where there are none."""
         scenarios = [self.object] if isinstance(self.object, Object) else self.object
-        return [_core.Grasp(each, self.contacts, self.safety) for each in scenarios]
+        return [
+            _core.Grasp(each, self.contacts, self.safety, self.drives, self.fingers)
+            for each in scenarios
+        ]
 
 
 def load(file: Path) -> GraspFile:
@@ -94,11 +104,15 @@ def to_dict(grasp: Union[GraspFile, _core.Grasp]) -> Dict[str, Any]:
         if isinstance(grasp, GraspFile)
         else GraspFile(grasp.object, grasp.contacts)
     )
+    if not isinstance(grasp, GraspFile):
+        file.drives, file.fingers = grasp.mechanism
     values: Dict[str, Any] = {"poise": 1, "dimension": len(file.contacts[0].position)}
     if file.name:
         values["name"] = file.name
     if file.safety != 1:
         values["safety"] = file.safety
+    if file.objective != Objective.effort:
+        values["objective"] = file.objective.value
     if file.angle is not None:
         values["angle_deg"] = math.degrees(file.angle)
     if file.domain != Domain.all:
@@ -115,6 +129,10 @@ def to_dict(grasp: Union[GraspFile, _core.Grasp]) -> Dict[str, Any]:
     if file.shape is not None:
         values["object"]["shape"] = _shape(file.shape)
     values["contacts"] = [_contact(contact) for contact in file.contacts]
+    if file.drives is not None:
+        values["drives"] = file.drives
+    if file.fingers is not None:
+        values["fingers"] = file.fingers
     return values
 
 

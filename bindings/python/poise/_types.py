@@ -45,6 +45,13 @@ class Kind(enum.Enum):
     smooth = "smooth"
 
 
+class Objective(enum.Enum):
+    """What is to be least."""
+
+    grip = "grip"  #: the greatest effort of the drives: what to command
+    effort = "effort"  #: the sum of squares of the contact forces
+
+
 class Status(enum.Enum):
     """How sure the best posture is."""
 
