@@ -5,6 +5,7 @@
 
 #include "measure.hpp"
 #include "poise/best_posture.hpp"
+#include "poise/grip.hpp"
 
 namespace {
 
@@ -57,6 +58,13 @@ std::vector<Case> random_cases(std::size_t contacts, bool soft) {
   return random_cases(contacts, soft, contacts <= 64 ? 1000 : 20);
 }
 
+std::vector<Grasp<3>> random_grasps(std::size_t contacts, bool soft, std::size_t count = 1000) {
+  std::mt19937 random(2026);
+  std::vector<Grasp<3>> grasps;
+  while (grasps.size() < count) grasps.push_back(random_grasp(random, contacts, soft));
+  return grasps;
+}
+
 int calls(std::size_t contacts) { return contacts <= 64 ? 20 : 2; }
 
 void space_hold_cold(benchmark::State& state) {
@@ -75,9 +83,31 @@ void space_hold_warm(benchmark::State& state) {
   });
 }
 
+/// The least grip of the same cases, a drive for each finger.
+void space_grip(benchmark::State& state) {
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const std::vector<Case> cases = random_cases(n, state.range(1) == 1, 200);
+  measure<6>(state, cases.size(), 5, [&](std::size_t i) {
+    benchmark::DoNotOptimize(least_grip(cases[i].grasp, cases[i].up));
+  });
+}
+
+/// The certified posture of least grip alone.
+void space_best_grip(benchmark::State& state) {
+  const std::vector<Grasp<3>> grasps =
+      random_grasps(static_cast<std::size_t>(state.range(0)), state.range(1) == 1, 100);
+  const SpatialSettings settings{.objective = Objective::grip, .starts = 0};
+  std::vector<double> holds;
+  for (const Grasp<3>& grasp : grasps) holds.push_back(best_posture(grasp, settings).proof.holds);
+  measure<6>(state, grasps.size(), 1,
+             [&](std::size_t i) { benchmark::DoNotOptimize(best_posture(grasps[i], settings)); });
+  state.counters["holds"] = median(holds);
+}
+
 /// Of 2000 grasps, to tell how much more the rare slow holds take.
 void space_hold_warm_mean(benchmark::State& state) {
-  const std::vector<Case> cases = random_cases(static_cast<std::size_t>(state.range(0)), false, 2000);
+  const std::vector<Case> cases =
+      random_cases(static_cast<std::size_t>(state.range(0)), false, 2000);
   measure<6>(
       state, cases.size(), 10,
       [&](std::size_t i) {
@@ -101,13 +131,6 @@ void space_make(benchmark::State& state) {
   });
 }
 
-std::vector<Grasp<3>> random_grasps(std::size_t contacts, bool soft) {
-  std::mt19937 random(2026);
-  std::vector<Grasp<3>> grasps;
-  while (grasps.size() < 1000) grasps.push_back(random_grasp(random, contacts, soft));
-  return grasps;
-}
-
 /// The certified optimum alone, to a gap of 10^-digits. Outside: the part of the time that is not
 /// spent on holds, if a hold takes as long as one of the best posture from its neighbour's y.
 void space_best(benchmark::State& state) {
@@ -123,7 +146,8 @@ void space_best(benchmark::State& state) {
     holds.push_back(best.proof.holds);
     if (!best.holdable()) continue;
     const Wrench<3> load = grasp.loads().front().at(best.best().up);
-    const Twist<3> y = hold(grasp, (best.best().up + Vector<3>(0.03, 0.02, 0.01)).normalized()).dual;
+    const Twist<3> y =
+        hold(grasp, (best.best().up + Vector<3>(0.03, 0.02, 0.01)).normalized()).dual;
     const double one = seconds([&] { benchmark::DoNotOptimize(hold(grasp, load, 1, y)); }, 10);
     outside.push_back(1 - best.proof.holds * one / whole);
   }
@@ -161,6 +185,8 @@ BENCHMARK(space_hold_warm_mean)
     ->Iterations(2000)
     ->Arg(3)
     ->Arg(4);
+BENCHMARK(space_grip)->Apply(holds)->Iterations(200)->ArgsProduct({{3, 4, 8}, {0, 1}});
+BENCHMARK(space_best_grip)->Apply(holds)->Iterations(100)->ArgsProduct({{4, 8}, {0, 1}});
 BENCHMARK(space_make)->Apply(holds)->Iterations(1000)->ArgsProduct({{4, 8}, {0, 1}});
 BENCHMARK(space_best)
     ->UseManualTime()

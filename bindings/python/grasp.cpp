@@ -17,10 +17,9 @@ Mechanism<Dim> read_mechanism(const py::object& drives, const py::object& finger
   if (!drives.is_none()) keys["drives"] = drives;
   if (!fingers.is_none()) keys["fingers"] = fingers;
   if (keys.empty()) return {};
-  const auto text = py::module_::import("json")
-                        .attr("dumps")(keys, py::arg("default") =
-                                                 py::module_::import("poise._files").attr("_plain"))
-                        .cast<std::string>();
+  const py::object json = py::module_::import("json");
+  const py::object plain = py::module_::import("poise._files").attr("_plain");
+  const std::string text = py::str(json.attr("dumps")(keys, py::arg("default") = plain));
   try {
     const Document document = parse_json(text, "");
     return poise::read_mechanism<Dim>(Field(document), 1, contacts, DriveKind::each);

@@ -528,6 +528,69 @@ class Curves(unittest.TestCase):
                 self.assertGreater(file.stat().st_size, 5000)
 
 
+class Grips(unittest.TestCase):
+    """The number to command."""
+
+    def jaws(self, **more):
+        contacts = [
+            poise.Contact((-0.03, 0, 0), (1, 0, 0), friction=0.4, finger="left"),
+            poise.Contact((0.03, 0, 0), (-1, 0, 0), friction=0.4, finger="right"),
+        ]
+        return poise.Grasp(poise.Object(8, (0, 0, 0)), contacts, **more)
+
+    def test_two_fingers_press_with_the_weight_over_twice_the_friction(self):
+        hold = poise.least_grip(self.jaws(), (0, 0, 1))
+        self.assertAlmostEqual(hold.grip, 10, delta=1e-7)
+        self.assertEqual(hold.objective, poise.Objective.grip)
+        self.assertAlmostEqual(sum(hold.rates), 1)
+        self.assertAlmostEqual(hold.lower_bound, 10, delta=1e-7)
+
+    def test_a_force_that_drives_do_not_give_is_no_hold(self):
+        limits = {"left": {"max_force": 9.9}, "right": {"max_force": 9.9}}
+        grasp = self.jaws(fingers=limits)
+        for objective in poise.Objective:
+            hold = poise.hold(grasp, (0, 0, 1), objective=objective)
+            self.assertFalse(hold.holdable)
+            self.assertIn("gives 9.9 N at most", poise.reason(grasp, hold))
+        self.assertAlmostEqual(poise.least_grip(grasp, (0, 0, 1)).grip, 10, delta=1e-7)
+
+    def test_the_best_posture_for_grip_needs_no_more_than_others(self):
+        rng = np.random.default_rng(5)
+        for _ in range(5):
+            grasp = random_spatial_grasp(rng, 4)
+            best = poise.best_posture(grasp, objective=poise.Objective.grip, starts=0)
+            if not best.holdable:
+                continue
+            for up in rng.normal(size=(50, 3)):
+                hold = poise.least_grip(grasp, up)
+                self.assertTrue(not hold.holdable or best.lower_bound <= hold.grip * (1 + 1e-7))
+
+    def test_mechanisms_survive_files_and_pickles(self):
+        pad = poise.Pad([(0, 0.01, 0), (0, -0.01, 0)], reach=(0, 0.01))
+        contacts = [
+            poise.Contact((-0.03, 0, 0), (1, 0, 0), friction=0.4, finger="left", pad=pad),
+            poise.Contact((0.03, 0, 0), (-1, 0, 0), friction=0.4, finger="right"),
+        ]
+        drives = [
+            {"name": "screw", "moves": ["left", "right"], "along": [1, 0, 0]},
+            {
+                "name": "pin",
+                "moves": ["right"],
+                "about": {"axis": [0, 1, 0], "through": [0.1, 0, 0]},
+                "max": 2.0,
+            },
+        ]
+        grasp = poise.Grasp(poise.Object(8, (0, 0, 0)), contacts, drives=drives)
+        for again in (
+            pickle.loads(pickle.dumps(grasp)),
+            poise.from_dict(poise.to_dict(grasp)).grasp(),
+        ):
+            self.assertEqual(again.mechanism, grasp.mechanism)
+            np.testing.assert_allclose(again.contacts[0].pad.points, pad.points, atol=1e-15)
+        with self.assertRaisesRegex(poise.InvalidGrasp, "drives"):
+            poise.Grasp(poise.Object(8, (0, 0, 0)), contacts, drives="every")
+
+
 class Capacities(unittest.TestCase):
     def check_hold(self, hold, shown):
         self.assertEqual(hold.effort, shown["effort"])
