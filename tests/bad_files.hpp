@@ -536,7 +536,7 @@ inline const std::vector<BadFile> bad_files{
      "object: {weight: 10, com: [0, 0]}\n"
      "contacts: [1]\n",
      "4:12: contacts[0]: is 1, must be a mapping (keys: position, normal, friction, min_normal, "
-     "max_normal, share, finger)"},
+     "max_normal, share, finger, pad)"},
     {"no position",
      "poise: 1\n"
      "dimension: 2\n"

@@ -111,7 +111,7 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
       {"best 4c.yaml hold", "unexpected 'hold'"},
       {"hold 4c.yaml --up 0 1", "unexpected '1': numbers of one flag are written with commas"},
       {"best 4c.yaml --jsn",
-       "unknown option --jsn, poise best knows --help, --json, --domain, --force-cap"},
+       "unknown option --jsn, poise best knows --help, --json, --domain, --objective, --force-cap"},
       {"best 4c.yaml --angle 3", "unknown option --angle"},
       {"best 4c.yaml --json=3", "disallowed flag override"},
       {"--json best 4c.yaml", "unknown option --json, poise knows --version, --help"},
@@ -170,7 +170,7 @@ TEST_F(CommandLine, TakesPosturesInEveryForm) {
   const std::string file = example("ito-fig6");
   const Json upright = json("hold " + file);
   EXPECT_EQ(upright["angle_deg"], 0.0);
-  EXPECT_EQ(upright["options"], Json::parse(R"({"force_cap": 1000000.0})"));
+  EXPECT_EQ(upright["options"], Json::parse(R"({"force_cap": 1000000.0, "objective": "effort"})"));
   EXPECT_EQ(json("hold " + file + " --angle -330")["angle_deg"], 30.0);
   EXPECT_EQ(json("hold " + file + " --angle=-180")["angle_deg"], 180.0);
   EXPECT_EQ(json("hold " + file + " --angle +12.5")["angle_deg"], 12.5);

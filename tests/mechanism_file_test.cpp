@@ -183,14 +183,14 @@ TEST(MechanismFile, WhatIsWrongIsSaid) {
            pad + "}\n";
   };
   EXPECT_EQ(message(with_pad("pad: {size: [1, 1], axis: [0, 0, 1]}")),
-            "5:89: contacts[0].pad.axis: is along the normal, must be in the pad's plane");
+            "5:86: contacts[0].pad.axis: is along the normal, must be in the pad's plane");
   EXPECT_EQ(message(with_pad("pad: {size: [1, 1], axis: [1, 0, 0], grid: 65}")),
-            "5:106: contacts[0].pad.grid: is 65, must be a whole number from 1 to 64");
+            "5:103: contacts[0].pad.grid: is 65, must be a whole number from 1 to 64");
   EXPECT_EQ(message(with_pad("pad: {points: [[0, 0, 0], [1, 0, 0]], shares: [0.5, 0.6]}")),
-            "5:109: contacts[0].pad.shares: add up to 1.1, must add up to 1");
+            "5:106: contacts[0].pad.shares: add up to 1.1, must add up to 1");
   EXPECT_EQ(
       message(with_pad("torsion: 1, pad: {size: [1, 1], axis: [1, 0, 0]}")),
-      "5:71: contacts[0].torsion: is given for a pad, must be left out: its points resist the "
+      "5:69: contacts[0].torsion: is given for a pad, must be left out: its points resist the "
       "twist");
 }
 

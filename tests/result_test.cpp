@@ -14,8 +14,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Keys = std::set<std::string>;
 
-const Keys unholdable_keys{"holdable", "up", "angle_deg", "dual", "lower_bound", "reason"};
-const Keys hold_keys{"holdable",   "up",         "angle_deg", "dual",   "lower_bound",
+const Keys unholdable_keys{"holdable",  "up",          "angle_deg", "dual",
+                           "objective", "lower_bound", "reason"};
+const Keys hold_keys{"objective",  "grip",       "drives",
+                     "holdable",   "up",         "angle_deg", "dual",   "lower_bound",
                      "effort",     "force_norm", "residual",  "manner", "all_loaded",
                      "grip_force", "fingers",    "contacts"};
 const Keys document_keys{"poise_result", "command", "options"};
@@ -65,7 +67,7 @@ void check_hold(const Json& hold, std::size_t contacts, std::size_t fingers) {
   EXPECT_TRUE((std::set<std::string>{"resting", "cradled", "pinched"}.count(hold["manner"])));
   ASSERT_EQ(hold["fingers"].size(), fingers);
   for (const Json& finger : hold["fingers"]) {
-    EXPECT_EQ(keys(finger), (Keys{"finger", "normal_force", "force"}));
+    EXPECT_EQ(keys(finger), (Keys{"finger", "normal_force", "pressing_force", "force"}));
     EXPECT_TRUE(finger["finger"].is_string());
     EXPECT_EQ(finger["force"].size(), 2U);
   }
@@ -133,7 +135,7 @@ TEST(ResultDocument, OfAHoldHasThePromisedKeys) {
   const Json document = parsed(poise::document(grasp, answer));
   EXPECT_EQ(keys(document), with(document_keys, hold_keys));
   EXPECT_EQ(document["command"], "hold");
-  EXPECT_EQ(document["options"], (Json{{"force_cap", 1e6}, {"angle_deg", 30.0}}));
+  EXPECT_EQ(document["options"], (Json{{"force_cap", 1e6}, {"objective", "effort"}, {"angle_deg", 30.0}}));
   EXPECT_EQ(document["angle_deg"], 30.0);
   EXPECT_NEAR(document["effort"], 300, 1e-9);
   EXPECT_EQ(document["fingers"][0]["finger"], "0");
@@ -143,11 +145,11 @@ TEST(ResultDocument, OfAHoldHasThePromisedKeys) {
 TEST(ResultDocument, OfAHoldEchoesWhatWasAskedFor) {
   const Grasp<2> grasp = disk(1, 1, 1);
   const Json plain = parsed(document(grasp, held_at(grasp, 0, {.force_cap = 50})));
-  EXPECT_EQ(plain["options"], (Json{{"force_cap", 50.0}}));
+  EXPECT_EQ(plain["options"], (Json{{"force_cap", 50.0}, {"objective", "effort"}}));
   HoldAnswer<2> answer = held_at(grasp, -0.0);
   answer.option.up = {-0.0, 2.0};
   const Json up = parsed(document(grasp, answer));
-  EXPECT_EQ(up["options"], (Json{{"force_cap", 1e6}, {"up", {0.0, 2.0}}}));
+  EXPECT_EQ(up["options"], (Json{{"force_cap", 1e6}, {"objective", "effort"}, {"up", {0.0, 2.0}}}));
 }
 
 TEST(ResultDocument, OfAHoldThatIsNoneHasItsReason) {

@@ -40,7 +40,7 @@ const Recipe plain{.least_contacts = 3, .most_contacts = 5, .limits = false, .aw
 
 RC_GTEST_PROP(BestForGrip, NoPostureNeedsLess, ()) {
   if (!one_in(10)) return;
-  const Grasp<3> grasp = grasps(plain)->grasp();
+  const Grasp<3> grasp = (*space::grasps(plain)).grasp();
   const Best<3> best = best_for_grip(grasp);
   double least = infinity;
   for (const Vector<3>& up : sphere(300)) least = std::min(least, grip_at(grasp, up));
@@ -60,7 +60,7 @@ RC_GTEST_PROP(BestForGrip, NoPostureNeedsLess, ()) {
 // least grip is the one in which the gripper carries most.
 RC_GTEST_PROP(BestForGrip, TheGreatestWeightIsTheLimitOverTheGrip, ()) {
   if (!one_in(5)) return;
-  const Held held = *grasps(plain);
+  const Held held = *space::grasps(plain);
   const Vector<3> up = random_direction();
   const double F = grip_at(held.grasp(), up), W = held.object.weight;
   if (!(F < infinity) || !(F > 1e-3 * W)) return;
@@ -91,12 +91,12 @@ nlohmann::ordered_json answered(const SpatialFile& file, const Grasp<3>& grasp, 
 }
 
 bool is_confirmed(const SpatialFile& file, const nlohmann::ordered_json& result) {
-  return verify(GraspFile(file), parse_json(result.dump(), "result.json")).confirmed();
+  return verify::verify(GraspFile(file), parse_json(result.dump(), "result.json")).confirmed();
 }
 
 RC_GTEST_PROP(BestForGrip, ItsDocumentIsConfirmedAndForgedOnesAreNot, ()) {
   if (!one_in(20)) return;
-  SpatialFile file = file_of(*grasps(plain));
+  SpatialFile file = file_of(*space::grasps(plain));
   if (one_in(2)) file.mechanism.kind = DriveKind::coupled;
   const Grasp<3> grasp = file.grasp();
   const auto best = answered(file, grasp, Command::best);
@@ -119,7 +119,7 @@ RC_GTEST_PROP(BestForGrip, ItsDocumentIsConfirmedAndForgedOnesAreNot, ()) {
 RC_GTEST_PROP(LeastGripOfAHold, ItsDocumentIsConfirmedAndForgedOnesAreNot, ()) {
   if (!one_in(5)) return;
   const SpatialFile file =
-      file_of(*grasps({.least_contacts = 2, .most_contacts = 5, .awkward = false}));
+      file_of(*space::grasps({.least_contacts = 2, .most_contacts = 5, .awkward = false}));
   const Grasp<3> grasp = file.grasp();
   const auto hold = answered(file, grasp, Command::hold);
   RC_ASSERT(is_confirmed(file, hold));

@@ -91,7 +91,8 @@ class Space : public CommandLine {
     const bool many = check["scenarios"].size() > 1;
     std::set<std::string> expected{"holdable",   "up",         "dual",     "lower_bound",
                                    "effort",     "force_norm", "residual", "manner",
-                                   "all_loaded", "grip_force", "fingers",  "contacts"};
+                                   "all_loaded", "grip_force", "fingers",  "contacts",
+                                   "objective",  "grip",       "drives"};
     if (many) expected.insert({"scenario", "scenario_efforts", "scenario_holds"});
     std::set<std::string> given = keys(hold);
     for (const char* key : {"poise_result", "command", "options"}) given.erase(key);
@@ -176,7 +177,7 @@ TEST_F(Space, ABallOnItsFingerNeedsItsWeight) {
   EXPECT_NEAR(hold["effort"], 100, 1e-9);
   EXPECT_EQ(hold["manner"], "resting");
   EXPECT_EQ(hold["contacts"][0]["friction_used"], 1.0);
-  EXPECT_EQ(hold["options"], Json::parse(R"({"force_cap": 1000000.0})"));
+  EXPECT_EQ(hold["options"], Json::parse(R"({"force_cap": 1000000.0, "objective": "effort"})"));
 }
 
 TEST_F(Space, TakesPosturesInEveryForm) {
@@ -318,7 +319,7 @@ TEST_F(SpaceBest, IsWhatItClaims) {
   for (const std::string file : {"block.yaml", "ball.yaml", "filled.yaml"}) {
     const Json document = best(file);
     EXPECT_EQ(document["options"],
-              Json::parse(R"({"domain": "all", "force_cap": 1000000.0, "gap": 1e-06,
+              Json::parse(R"({"domain": "all", "force_cap": 1000000.0, "objective": "effort", "gap": 1e-06,
                               "max_holds": 2000, "orientation": {"w": 1, "x": 0, "y": 0, "z": 0}})"));
     // No posture that is asked for needs less.
     for (const std::string up : {"0,0,1", "1,0,0", "0,1,0", "-1,-1,1", "0.1,0.3,-1"}) {

@@ -139,6 +139,20 @@ void add_grasp(py::module_& module) {
   module.def("angle_of", &angle_of, py::arg("up"),
              "The theta [rad], in (-pi, pi], of a planar posture (2,).");
   module.def(
+      "rectangular_pad",
+      [](const Eigen::VectorXd& size, const Eigen::VectorXd& axis, const Eigen::VectorXd& normal,
+         int grid) {
+        if (grid < 1 || grid > 64) throw InvalidGrasp("grid", "must be from 1 to 64");
+        return write(std::optional(rectangular_pad(sized<2>(size, "size"), unit<3>(axis, "axis"),
+                                                   unit<3>(normal, "normal"), grid)));
+      },
+      py::arg("size"), py::arg("axis"), py::arg("normal"), py::arg("grid") = 4,
+      "A rectangle around the contact's position, size (2,) along the axis and across it [m], "
+      "with\n"
+      "even pressure: grid x grid equal cells, a point in the middle of each. normal: of the "
+      "contact;\n"
+      "the axis is turned into the plane across it.");
+  module.def(
       "tangents", [](const Eigen::VectorXd& normal) { return tangents(unit<3>(normal, "normal")); },
       py::arg("normal"),
       "Two unit vectors a, b in the columns (3, 2) that make (normal, a, b) a right-handed frame;\n"

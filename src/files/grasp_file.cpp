@@ -225,7 +225,9 @@ void check_torsion(const Field& torsion, double friction) {
 template <int Dim>
 Contact<Dim> read_contact(const Field& field, double unit, bool outward,
                           const std::optional<ShapeOf<Dim>>& shape) {
-  check_keys<Dim>(field, {"pad"}, contact_keys<2>(), contact_keys<3>());
+  Keys of_plane = contact_keys<2>();
+  of_plane.emplace_back("pad");
+  check_keys<Dim>(field, {}, of_plane, contact_keys<3>());
   const Field position = field.get("position", coordinates<Dim>);
   field.get("friction", "a number");
   Contact<Dim> contact;

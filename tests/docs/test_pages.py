@@ -123,7 +123,7 @@ class Reference(unittest.TestCase):
         silent = whole.replace("  /// The greatest weight of the loads [N].\n", "")
         self.assertEqual(
             headers.silent(headers.parse("grasp", silent)),
-            ["grasp.hpp:27: Grasp::weight has no comment"],
+            ["grasp.hpp:29: Grasp::weight has no comment"],
         )
 
 

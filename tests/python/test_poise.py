@@ -559,7 +559,7 @@ class Grips(unittest.TestCase):
         for _ in range(5):
             grasp = random_spatial_grasp(rng, 4)
             best = poise.best_posture(grasp, objective=poise.Objective.grip, starts=0)
-            if not best.holdable:
+            if best.status == poise.Status.unholdable:
                 continue
             for up in rng.normal(size=(50, 3)):
                 hold = poise.least_grip(grasp, up)

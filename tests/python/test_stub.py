@@ -95,7 +95,8 @@ class Stub(unittest.TestCase):
         elsewhere = {"CurveSettings", "HoldSettings", "SpatialSettings", "Hand", "Load"}
         elsewhere |= {"Posture", "posture_of", "Minimum", "minimum_at", "Best", "Proof"}
         elsewhere |= {"Turn", "turn_to", "orientation_of", "force_vector"}
-        elsewhere |= {"for_each_contact_field"}
+        elsewhere |= {"for_each_contact_field", "Drive", "DriveEffort", "DriveKind", "Finger"}
+        elsewhere |= {"GripUnit", "Mechanism", "grip_bound", "grip_unit", "has_grip", "most_grip"}
         elsewhere |= {"SmallVector", "Twist", "Vector", "Wrench", "to_string"}
         elsewhere |= {"contact_size", "wrench_size"}
         found = set()
