@@ -2,6 +2,8 @@
 // checked and forged.
 #include <gtest/gtest.h>
 
+#include <iostream>
+
 #include <nlohmann/json.hpp>
 
 #include "ask/ask.hpp"
@@ -91,7 +93,10 @@ nlohmann::ordered_json answered(const SpatialFile& file, const Grasp<3>& grasp, 
 }
 
 bool is_confirmed(const SpatialFile& file, const nlohmann::ordered_json& result) {
-  return verify::verify(GraspFile(file), parse_json(result.dump(), "result.json")).confirmed();
+  const verify::Verdict verdict =
+      verify::verify(GraspFile(file), parse_json(result.dump(), "result.json"));
+  if (std::getenv("SHOW") && !verdict.confirmed()) std::cerr << refutations_text(verdict);
+  return verdict.confirmed();
 }
 
 RC_GTEST_PROP(BestForGrip, ItsDocumentIsConfirmedAndForgedOnesAreNot, ()) {

@@ -669,7 +669,9 @@ Balance<Dim> Interior<Dim, T>::run() {
       keep(best);
     }
     if (!(error > wanted_error) || !(error < infinity)) break;
-    if (best.steps > last_better + (best.error <= good ? 0 : patience)) break;
+    // On the way to a proof that nothing holds tau vanishes, and errors tell nothing.
+    const int most_waits = best.error <= good ? 0 : patience;
+    if (tau_ > kappa_ && best.steps > last_better + most_waits) break;
     if (best.error > enough && dual_ > 0 && dual_error_ + square_ <= certain * dual_ &&
         tau_ < far * kappa_) {
       best.state = Found::State::not_held;
@@ -698,10 +700,9 @@ Balance<Dim> Interior<Dim, T>::run() {
   return best;
 }
 
-/// What rounding left of the balance, by the smallest change of forces.
+/// What rounding left of the balance, by the smallest change of forces; then back into the cones.
 template <int Dim, class T>
 void Interior<Dim, T>::settle(Found& best) const {
-  if (!(best.residual.cwiseAbs().maxCoeff() > 1e-16)) return;
   Factors<double> factors(rows);
   factors.matrix().setZero();
   for (const ConeContact<Dim>& contact : hand_.contacts)
@@ -710,17 +711,22 @@ void Interior<Dim, T>::settle(Found& best) const {
   factors.factorise(rows);
   typename Factors<double>::Column y = best.residual;
   factors.solve(y);
-  const Twist<Dim> change = y;
+  Twist<Dim> change = y;
   // What no force feels is left.
-  if (!(change.norm() <= 1e3 * best.residual.norm())) return;
+  if (!(change.norm() <= 1e3 * best.residual.norm())) change.setZero();
   best.residual = w_.template cast<double>();
   for (std::size_t i = 0; i < hand_.contacts.size(); ++i) {
-    best.normals[i] += hand_.contacts[i].normal.dot(change);
-    best.residual -= best.normals[i] * hand_.contacts[i].normal;
-  }
-  for (std::size_t k = 0; k < hand_.parts.size(); ++k) {
-    best.tangentials[k] += hand_.parts[k].G.transpose() * change;
-    best.residual -= hand_.parts[k].G * best.tangentials[k];
+    const ConeContact<Dim>& contact = hand_.contacts[i];
+    double& N = best.normals[i];
+    N = std::clamp(N + contact.normal.dot(change), contact.lo, contact.hi);
+    best.residual -= N * contact.normal;
+    for (std::size_t k = contact.first; k < contact.last; ++k) {
+      PartForce<Dim>& t = best.tangentials[k];
+      t += hand_.parts[k].G.transpose() * change;
+      const double most = hand_.parts[k].reach * N, length = t.norm();
+      if (length > most) t *= most / length;
+      best.residual -= hand_.parts[k].G * t;
+    }
   }
 }
 

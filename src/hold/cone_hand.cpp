@@ -22,6 +22,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A contact that may press this little more than it must is given this much room [weights]: the
 /// interior has to have a size.
 constexpr double least_room = 1e-9;
+/// Of what is told as a hold: of its balance, limits and value, in parts.
+constexpr double most_error = 1e-8;
 
 /// Wrenches in the solver's units.
 template <int Dim>
@@ -240,8 +242,8 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
       hold.rates[a] = weight * found.rates[limited++] *
                       (weight / drive_unit(hand, drives[a], GripUnit::newton, weight));
   }
-  hold.holdable =
-      found.state != State::not_held && 2 * found.value <= settings.force_cap * settings.force_cap;
+  hold.holdable = found.state != State::not_held && found.error <= most_error &&
+                  2 * found.value <= settings.force_cap * settings.force_cap;
   if (hold.holdable) {
     write_balance(hand, weight, cones, found, hold);
     hold.holdable = hold.residual <= 1e-9;

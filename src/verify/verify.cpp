@@ -91,8 +91,10 @@ struct Checker {
   void operator()(const CheckDocument<Dim>& check) { check_reading(verdict, given, file, check); }
   void operator()(const HoldDocument<Dim>& hold) {
     check_options(verdict, Dim, hold.options, {"objective"}, {"angle_deg", "up"});
+    // That there are no forces at all is told in terms of the effort.
     verdict.check(Path() / "objective", "objective is that of the options",
-                  hold.objective == hold.options.objective);
+                  hold.objective == hold.options.objective ||
+                      (!hold.holdable && hold.objective == Objective::effort));
     check_least_hold<Dim>(verdict, {}, grasp, hold, hold.options.force_cap);
     if (const auto up = asked_up(hold.options))
       check_up(verdict, {}, real(hold.up), *up, "up is the posture asked for");
