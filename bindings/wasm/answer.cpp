@@ -97,7 +97,7 @@ Question question_of(const Field& root, const std::string& word) {
                                                           {"hold", Command::hold},
                                                           {"best", Command::best},
                                                           {"curve", Command::curve}};
-  Question question{.force_cap = read_cap(root)};
+  Question question{.objective = Objective::effort, .force_cap = read_cap(root)};  // what it draws
   for (const auto& [name, command] : commands)
     if (word == name) question.command = command;
   return question;
