@@ -185,6 +185,12 @@ TEST(Drives, LimitTheEffort) {
     return Grasp<3>({.weight = 10}, contacts, 1,
                     {.fingers = {{.name = "left", .max_force = most}, {.name = "right"}}});
   };
+  // A limit that is exactly met holds, by either objective.
+  const Grasp<3> exact(
+      {.weight = 10}, contacts, 1,
+      {.fingers = {{.name = "left", .max_force = 5}, {.name = "right", .max_force = 5}}});
+  EXPECT_TRUE(hold<3>(exact, {0, 0, 1}).holdable);
+  EXPECT_TRUE(hold<3>(exact, {0, 0, 1}, {.objective = Objective::grip}).holdable);
   const Hold<3> weak = hold<3>(with(4.99), {0, 0, 1}), strong = hold<3>(with(5.01), {0, 0, 1});
   EXPECT_FALSE(weak.holdable);
   EXPECT_TRUE(weak.proven);

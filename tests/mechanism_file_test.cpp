@@ -171,6 +171,11 @@ TEST(MechanismFile, WhatIsWrongIsSaid) {
   EXPECT_EQ(
       message(plane + "drives: [{moves: [left], about: {axis: [0, 1, 0], through: [0, 0]}}]\n"),
       "8:40: drives[0].about.axis: must be [0, 0, 1] or [0, 0, -1] in the plane");
+  EXPECT_EQ(message(plane + "drives: [{moves: [left, left], along: [1, 0]}]\n"),
+            "8:25: drives[0].moves[1]: is \"left\" once more, must be named once");
+  EXPECT_EQ(message(plane + "objective: grip\nfingers: {left: {max_force: 5}}\n"),
+            "9:10: fingers.right.max_force: must be given, as another finger has one: the grip is "
+            "counted in parts of them");
   EXPECT_EQ(message(plane + "fingers: {left: {max_force: 0}}\n"),
             "8:29: fingers.left.max_force: is 0, must be above 0");
   EXPECT_EQ(message(plane + "fingers: {thumb: {max_force: 1}}\n").substr(0, 19),

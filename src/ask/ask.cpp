@@ -151,6 +151,7 @@ void consider(Best<3>& best, const Posture<3>& now, const SpatialSettings& setti
   const double value = now.value();
   best.minima.insert(best.minima.begin(), {now});
   if (best.pinched) ++*best.pinched;
+  if (now.manner == Manner::pinched) best.pinched = 0;
   best.lower_bound = std::min(best.lower_bound, value);
   best.relative_gap = value > 0 ? (value - best.lower_bound) / value : 0;
   best.status = best.relative_gap <= settings.gap ? Status::optimal : Status::gap;

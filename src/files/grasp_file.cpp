@@ -9,6 +9,7 @@
 #include "files/mechanism_field.hpp"
 #include "files/mesh_field.hpp"
 #include "files/plausible.hpp"
+#include "poise/grip.hpp"
 #include "shape/number_text.hpp"
 
 namespace poise {
@@ -351,7 +352,9 @@ void close_gripper(const Field& root, const Field& gripper, double unit, Spatial
 template <int Dim>
 void check_grasp(const Field& root, CommonFile<Dim>& file) {
   try {
-    const std::vector<std::string> lines = doubts<Dim>(file, file.grasp(), root);
+    const Grasp<Dim> grasp = file.grasp();
+    if (file.objective == Objective::grip) grip_unit(grasp);
+    const std::vector<std::string> lines = doubts<Dim>(file, grasp, root);
     file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
   } catch (const InvalidGrasp& error) {
     throw FileError(root.file(), root.follow(error.path()).place(), error.path(), error.problem());
@@ -388,8 +391,8 @@ SpatialFile read_spatial(const Field& root) {
   else
     read_contacts<3>(root, unit, file);
   const bool is_jaw = file.gripper && std::holds_alternative<ParallelJaw>(*file.gripper);
-  file.mechanism = read_mechanism<3>(root, unit, file.contacts,
-                                     is_jaw ? DriveKind::coupled : DriveKind::each);
+  file.mechanism =
+      read_mechanism<3>(root, unit, file.contacts, is_jaw ? DriveKind::coupled : DriveKind::each);
   check_grasp<3>(root, file);
   return file;
 }

@@ -122,6 +122,8 @@ Drive<Dim> read_drive(const Field& field, double unit, const std::vector<std::st
     const std::string& name = finger.text();
     if (std::find(fingers.begin(), fingers.end(), name) == fingers.end())
       finger.fail("is \"" + name + "\", must be the finger of a contact");
+    for (const auto& moved : drive.moves)
+      if (moved.finger == name) finger.fail("is \"" + name + "\" once more, must be named once");
     drive.moves.push_back({name, twist});
   }
   if (drive.moves.empty()) moves.fail("is empty, must name a finger");

@@ -251,11 +251,9 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
   if (!hold.holdable) {
     hold.forces.resize(0);
     hold.effort = 0;
-    // As long as a bound above the cap needs.
-    double gain = hold.dual.dot(load);
-    for (std::size_t a = 0; a < drives.size(); ++a)
-      if (hold.rates[a] > 0) gain -= hold.rates[a] * drives[a].max;
-    const double times = gain > 0 ? cap * cap / gain : 1;
+    // As long as a bound above the cap needs: the dual rises by 1 for each length of y, in the
+    // solver's units.
+    const double times = settings.force_cap * settings.force_cap;
     hold.dual *= times;
     for (double& rate : hold.rates) rate *= times;
   }

@@ -72,9 +72,13 @@ std::optional<InvalidGrasp> problem_of(const Hand<Dim>& hand) {
   if (are_alike(drives)) return {};
   for (std::size_t a = 0; a < drives.size(); ++a)
     if (!std::isfinite(drives[a].max))
-      return InvalidGrasp(
-          "drives[" + std::to_string(a) + "].max",
-          "must be given: the drives are of different kinds, or have different max");
+      return hand.mechanism().kind == DriveKind::listed
+                 ? InvalidGrasp("drives[" + std::to_string(a) + "].max",
+                                "must be given: the drives are of different kinds, or have "
+                                "different max")
+                 : InvalidGrasp("fingers." + drives[a].name + ".max_force",
+                                "must be given, as another finger has one: the grip is counted in "
+                                "parts of them");
   return {};
 }
 
@@ -100,9 +104,9 @@ Hold<Dim> unlimited_hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double 
   Hold<Dim> none;
   none.holdable = ended.state == dual::Balance<Dim>::State::open && ended.error < most_error;
   const double cap = settings.force_cap * weight;
-  none.dual = about_origin(hand.scaled(), 1, ended.y);
-  const double gain = none.dual.dot(load);
-  none.dual *= gain > 0 ? cap * cap / gain : 1;
+  none.dual = about_origin(hand.scaled(), weight, ended.y);
+  // In the solver's units the dual rises by 1 for each length of y.
+  none.dual *= settings.force_cap * settings.force_cap;
   none.lower_bound =
       std::min(static_cast<double>(dual::effort_bound<Dim>(hand, load, none.dual, {}, 1)),
                std::numeric_limits<double>::max());

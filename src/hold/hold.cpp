@@ -24,13 +24,12 @@ Eigen::Matrix<double, 3, 4> moment_of_force(const Vector<3>& at,
   return moments;
 }
 
-/// A grip that the drives cannot give is no hold.
+/// A grip that is proven to be more than the drives give is no hold.
 template <int Dim>
 Hold<Dim> within_drives(const Hand<Dim>& hand, Hold<Dim> hold) {
   const double most = most_grip(hand);
-  if (!hold.holdable || hold.grip <= most) return hold;
+  if (!hold.holdable || hold.lower_bound <= most) return hold;
   hold.holdable = false;
-  hold.proven = hold.lower_bound > most;
   hold.effort = hold.residual = hold.grip = 0;
   hold.forces.resize(0);
   return hold;

@@ -326,7 +326,11 @@ void check_least_hold(Verdict& verdict, const Path& place, const RealGrasp& gras
   if (!hold.holdable) return;
   if (hold.objective == Objective::grip) {
     check_grip_bound(verdict, place, grasp, deciding_load(grasp, hold), hold, force_cap);
-    const Real grip = hold.grip.value_or(0), unit = std::max(grip, 1e-6L * grasp.greatest_weight());
+    const Real grip = hold.grip.value_or(0);
+    Real least = 1e-3L * grasp.greatest_weight();  // of what is looked at closely
+    if (grasp.in_parts)
+      for (const RealDrive& drive : grasp.drives) least = std::min(least, least / drive.max);
+    const Real unit = std::max(grip, least);
     verdict.check(place / "lower_bound", "grip is the least: it is the lower_bound [of grip]",
                   std::abs(grip - hold.lower_bound) / unit, 1e-6L);
     return;
