@@ -42,13 +42,13 @@ template <int Dim>
 std::vector<DriveEffort> drive_efforts(const Hand<Dim>& hand, const Hold<Dim>& hold);
 
 /// The grip F of the forces of a hold: the greatest effort of its drives, in grip_unit(); at least
-/// 0. Equation (9) of docs/theory.md.
+/// 0. docs/theory.md, "The least grip".
 template <int Dim>
 double grip(const Hand<Dim>& hand, const Hold<Dim>& hold);
 
 /// What (y, rates) prove of the grip [grip_unit()], with y about the object frame's origin
 /// [1, 1/m] and the rates of the drives, >= 0, sum 1: F >= y . load - what contacts can do against
-/// them. Equation (10) of docs/theory.md. Minus infinity where it proves nothing.
+/// them. Equation (10) of docs/theory.md.
 /// @param force_norm  of the forces that are looked at [N]: what rounding may make out
 template <int Dim>
 double grip_bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Dim>& y,

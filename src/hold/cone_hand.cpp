@@ -102,16 +102,14 @@ GripUnit unit_for(const Hand<Dim>& hand, dual::Wanted wanted) {
 }
 
 void write_contact(const Contact<2>& contact, double normal, const PartForce<2>* parts,
-                   std::size_t count, double weight, const ScaledHand<2>& /*scaled*/,
-                   ContactForce<2>& force) {
+                   std::size_t count, double weight, ContactForce<2>& force) {
   force.normal = normal;
   force.tangential = count == 0 ? 0 : weight * parts[0][0];
   force.friction_used = std::abs(force.tangential) / (contact.friction * normal);
 }
 
 void write_contact(const Contact<3>& contact, double normal, const PartForce<3>* parts,
-                   std::size_t count, double weight, const ScaledHand<3>& /*scaled*/,
-                   ContactForce<3>& force) {
+                   std::size_t count, double weight, ContactForce<3>& force) {
   const Eigen::Matrix<double, 3, 2> tangent = tangents(contact.normal);
   const auto tangential = [&](std::size_t k) -> Vector<3> {
     return weight * tangent * parts[k].head<2>();
@@ -210,7 +208,7 @@ void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Di
     for (std::size_t k = cone.first; k < cone.last; ++k)
       square += cones.parts[k].weight * balance.tangentials[k].squaredNorm();
     write_contact(contact, weight * normal, balance.tangentials.data() + cone.first,
-                  cone.last - cone.first, weight, hand.scaled(), force);
+                  cone.last - cone.first, weight, force);
     const bool loaded = normal > at_limit, frictionless = contact.friction == 0;
     if (!loaded || frictionless) force.friction_used = loaded ? 1 : 0;
     force.friction_used = std::min(force.friction_used, 1.0);
@@ -246,7 +244,7 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
                   2 * found.value <= settings.force_cap * settings.force_cap;
   if (hold.holdable) {
     write_balance(hand, weight, cones, found, hold);
-    hold.holdable = hold.residual <= 1e-9;
+    hold.holdable = hold.residual <= most_error;
   }
   if (!hold.holdable) {
     hold.forces.resize(0);
