@@ -124,15 +124,20 @@ TEST_F(AcronymFile, IsTheObjectInItsScaledFrame) {
 
 TEST_F(AcronymFile, PadsCloseOnTheObject) {
   const SpatialFile file = Acronym(write(contents_), folder_.string()).grasp(0);
-  ASSERT_EQ(file.contacts.size(), 48U);
+  ASSERT_EQ(file.contacts.size(), 2U);
   Eigen::AlignedBox3d left, right;
   for (const Contact<3>& c : file.contacts) {
-    (c.finger == "left" ? left : right).extend(c.position);
     EXPECT_LE((c.normal - Vector<3>(c.finger == "left" ? 1 : -1, 0, 0)).norm(), 1e-9);
     EXPECT_EQ(c.friction, 0.8);
-    EXPECT_DOUBLE_EQ(c.share, 1.0 / 24);
-    EXPECT_DOUBLE_EQ(c.max_normal, 70.0 / 24);
+    ASSERT_EQ(c.pad->points.size(), 24U);
+    for (const Vector<3>& point : c.pad->points)
+      (c.finger == "left" ? left : right).extend(c.position + point);
+    // All of the pads is on the box.
+    EXPECT_LE((c.pad->reach - Vector<2>(0.01, 0.023)).norm(), 1e-6);
   }
+  const std::vector<Drive<3>> drives = file.grasp().drives();
+  ASSERT_EQ(drives.size(), 1U);
+  EXPECT_EQ(drives[0].max, 70);
   // Turned about x: left stays at -x; pads of 20 x 46 mm round the point, less half a cell.
   const Vector<3> half(0, 0.01 - 0.02 / 6, 0.023 - 0.046 / 16);
   EXPECT_LE((left.min() - Vector<3>(2.98, 0, 0) + half).norm(), 1e-6);
@@ -153,6 +158,9 @@ TEST_F(AcronymFile, IsWrittenAsAGraspFileWithItsGripper) {
   ASSERT_EQ(back.contacts.size(), file.contacts.size());
   for (std::size_t i = 0; i < file.contacts.size(); ++i)
     EXPECT_LE((back.contacts[i].position - file.contacts[i].position).norm(), 1e-12);
+  EXPECT_EQ(back.mechanism.kind, DriveKind::coupled);
+  ASSERT_EQ(back.mechanism.fingers.size(), 2U);
+  for (const Finger<3>& finger : back.mechanism.fingers) EXPECT_EQ(finger.max_force, 70);
 }
 
 TEST_F(AcronymFile, AGraspThatDidNotHoldIsSaidToBeSo) {

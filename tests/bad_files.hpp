@@ -1071,9 +1071,40 @@ inline const std::vector<BadFile> bad_files{
      "poise: 1\n"
      "dimension: 3\n"
      "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
-     "gripper: {type: parallel_jaw, friction: 0, torsion: 1}\n",
-     "4:53: gripper.torsion: is given without friction, must be left out, or give friction above "
+     "gripper: {type: fingertips, friction: 0, torsion: 1}\n",
+     "4:51: gripper.torsion: is given without friction, must be left out, or give friction above "
      "0"},
+    {"torsion of a pad's gripper",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, torsion: 1}\n",
+     "4:53: gripper.torsion: is given for pads, must be left out: their points resist the twist"},
+    {"a contact of no kind",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, contact: points}\n",
+     "4:53: gripper.contact: is \"points\", must be pads or facets"},
+    {"fingertips of pads",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: fingertips, friction: 1, contact: pads}\n",
+     "4:42: gripper.contact: is not a known key, the nearest is type"},
+    {"a jaw without force",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, max_force: 0}\n",
+     "4:55: gripper.max_force: is 0, must be above 0"},
+    {"a jaw's force and a list of drives",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: parallel_jaw, friction: 1, max_force: 9}\n"
+     "drives: [{moves: [left], along: [1, 0, 0]}]\n",
+     "4:55: gripper.max_force: is given as well as a list of drives, must be max of a drive"},
     {"jaws that miss",
      "poise: 1\n"
      "dimension: 3\n"

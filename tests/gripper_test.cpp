@@ -11,6 +11,7 @@
 #include <random>
 
 #include "meshes.hpp"
+#include "poise/grip.hpp"
 
 namespace poise {
 namespace {
@@ -57,15 +58,230 @@ Hit first_hit(const Mesh& mesh, const Vector<3>& origin, const Vector<3>& direct
   return hit;
 }
 
-const ParallelJaw jaw{.opening = 0.1,
-                      .width = 0.02,
-                      .height = 0.04,
-                      .friction = 0.5,
-                      .torsion = 0.003,
-                      .samples = 8,
-                      .max_force = 40};
+const ParallelJaw jaw{
+    .opening = 0.1, .width = 0.02, .height = 0.04, .friction = 0.5, .samples = 8, .max_force = 40};
 
-TEST(ParallelJaw, TouchesABoxOnBothSides) {
+ParallelJaw facets_of(ParallelJaw jaw) {
+  jaw.contact = JawContact::facets;
+  return jaw;
+}
+
+Solid turned_box(const Vector<3>& size, const Eigen::Quaterniond& turn) {
+  return solid_of(moved(box_mesh(size), turn * Eigen::Translation3d(-size / 2)));
+}
+
+/// Two pads, each with its points and what can be said of them by themselves.
+void check_pads(const std::vector<Contact<3>>& all) {
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].finger, "left");
+  EXPECT_EQ(all[1].finger, "right");
+  for (const Contact<3>& c : all) {
+    ASSERT_TRUE(c.pad);
+    EXPECT_NEAR(c.normal.norm(), 1, 1e-14);
+    EXPECT_EQ(c.share, 1);
+    EXPECT_EQ(c.torsion, 0);
+    EXPECT_EQ(c.min_normal, 0);
+    EXPECT_EQ(c.max_normal, std::numeric_limits<double>::infinity());
+    EXPECT_NEAR(c.pad->axis.norm(), 1, 1e-14);
+    EXPECT_NEAR(c.pad->axis.dot(c.normal), 0, 1e-14);
+    Vector<3> sum = Vector<3>::Zero();
+    Vector<2> least = Vector<2>::Constant(1);  // to either side
+    for (const double sign : {-1.0, 1.0}) {
+      Vector<2> most = Vector<2>::Zero();
+      for (const Vector<3>& point : c.pad->points) {
+        most.x() = std::max(most.x(), sign * point.dot(c.pad->axis));
+        most.y() = std::max(most.y(), sign * point.dot(c.normal.cross(c.pad->axis)));
+      }
+      least = least.cwiseMin(most);
+    }
+    for (const Vector<3>& point : c.pad->points) {
+      sum += point;
+      EXPECT_NEAR(point.dot(c.normal), 0, 1e-15);
+    }
+    EXPECT_LE(sum.norm(), 1e-15 * static_cast<double>(c.pad->points.size()));
+    EXPECT_GE((c.pad->reach - least).minCoeff(), -1e-11);  // the corners of cells are beyond
+    for (const double share : c.pad->shares)
+      EXPECT_EQ(share, 1 / static_cast<double>(c.pad->points.size()));
+  }
+}
+
+TEST(ParallelJaw, TouchesABoxByTwoPads) {
+  const std::vector<Contact<3>> all = contacts(jaw, Surface(Box{{0.06, 0.1, 0.1}}));
+  check_pads(all);
+  for (const Contact<3>& c : all) {
+    const double side = c.finger == "left" ? -1 : 1;
+    EXPECT_LE((c.position - Vector<3>(side * 0.03, 0, 0)).norm(), 1e-15);
+    EXPECT_LE((c.normal - Vector<3>(-side, 0, 0)).norm(), 1e-15);
+    EXPECT_EQ(c.friction, 0.5);
+    // 2 x 4 cells of 1 cm. The axis is the pad's own, its reach to the pad's edges.
+    ASSERT_EQ(c.pad->points.size(), 8U);
+    EXPECT_LE((c.pad->axis - Vector<3>::UnitY()).norm(), 1e-15);
+    EXPECT_LE((c.pad->reach - Vector<2>(0.01, 0.02)).norm(), 1e-15);
+  }
+}
+
+TEST(ParallelJaw, AllOfASquarePadIsTheRectangleOfAGraspFile) {
+  ParallelJaw at = jaw;
+  at.height = at.width;
+  at.samples = 16;
+  for (const Contact<3>& c : contacts(at, Surface(Box{{0.06, 0.1, 0.1}}))) {
+    const Pad pad = rectangular_pad({0.02, 0.02}, Vector<3>::UnitY(), c.normal);
+    EXPECT_LE((c.pad->reach - pad.reach).norm(), 1e-15);
+    EXPECT_EQ(c.pad->shares, pad.shares);
+    for (const Vector<3>& point : pad.points) {
+      double nearest = 1;
+      for (const Vector<3>& other : c.pad->points)
+        nearest = std::min(nearest, (point - other).norm());
+      EXPECT_LE(nearest, 1e-15);
+    }
+  }
+}
+
+TEST(ParallelJaw, APadIsWhereItOverlapsTheObject) {
+  // Of the pad from (37, 22) to (57, 62) mm the box has what is below 50 mm: 13 x 28 mm.
+  ParallelJaw at = jaw;
+  at.pose.position = {0, 0.047, 0.042};
+  for (const int k : {1, 2, 4, 8}) {
+    at.samples = 32 * k * k;
+    const double cell = 0.005 / k;
+    const std::vector<Contact<3>> all = contacts(at, Surface(Box{{0.06, 0.1, 0.1}}));
+    check_pads(all);
+    for (const Contact<3>& c : all) {
+      EXPECT_NEAR(c.position.y(), 0.0435, cell / 2);
+      EXPECT_NEAR(c.position.z(), 0.036, cell / 2);
+      const Vector<2> half(0.0065, 0.014);
+      EXPECT_LE((c.pad->reach - half).maxCoeff(), 1e-15);
+      EXPECT_GE((c.pad->reach - half).minCoeff(), -cell);
+      // The centre of pressure stays on the object.
+      EXPECT_LE(c.position.y() + c.pad->reach.x(), 0.05 + 1e-15);
+      EXPECT_LE(c.position.z() + c.pad->reach.y(), 0.05 + 1e-15);
+    }
+  }
+}
+
+TEST(ParallelJaw, ARowOfPointsIsAlongItself) {
+  // A cylinder across the jaw, leaning by half a right angle: its line is a diagonal of the pad.
+  ParallelJaw at = jaw;
+  at.height = at.width;
+  at.samples = 16;
+  at.depth = 1e-6;
+  at.pose.orientation = Eigen::AngleAxisd(std::atan(1.0), Vector<3>::UnitX());
+  const std::vector<Contact<3>> all = contacts(at, Surface(Solid(Cylinder{0.03, 0.1})));
+  check_pads(all);
+  for (const Contact<3>& c : all) {
+    EXPECT_EQ(c.pad->points.size(), 4U);
+    EXPECT_NEAR(std::abs(c.pad->axis.z()), 1, 1e-12);
+    EXPECT_NEAR(c.pad->reach.x(), 2 * 0.005 * std::sqrt(2.0), 1e-12);
+    EXPECT_EQ(c.pad->reach.y(), 0);
+  }
+}
+
+TEST(ParallelJaw, NoiseOfTheSurfaceGoesAndASlopeStays) {
+  // An edge of a box is in the middle of each pad: its faces lean to either side.
+  ParallelJaw at = jaw;
+  at.depth = 0.1;
+  const auto lean = Eigen::Quaterniond(Eigen::AngleAxisd(std::atan(1.0), Vector<3>::UnitZ()));
+  for (const Contact<3>& c : contacts(at, Surface(turned_box({0.05, 0.05, 0.1}, lean)))) {
+    EXPECT_EQ(c.pad->points.size(), 8U);
+    EXPECT_LE((c.normal - Vector<3>(c.finger == "left" ? 1 : -1, 0, 0)).norm(), 1e-12);
+  }
+  for (const double slope : {0.05, 0.3}) {
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(slope, Vector<3>::UnitZ()));
+    const auto all = contacts(at, Surface(turned_box({0.05, 0.09, 0.1}, turn)));
+    check_pads(all);
+    for (const Contact<3>& c : all)
+      EXPECT_LE((c.normal - turn * Vector<3>(c.finger == "left" ? 1 : -1, 0, 0)).norm(), 1e-12);
+  }
+}
+
+TEST(ParallelJaw, WhereOnePointTouchesItIsAPoint) {
+  ParallelJaw at = jaw;
+  at.samples = 1;
+  for (const Contact<3>& c : contacts(at, Surface(Solid(Sphere{0.03})))) EXPECT_FALSE(c.pad);
+}
+
+/// The least command of a jaw that holds a box of 10 N, its centre of mass `off` from the line
+/// between the pads.
+double least_command(const ParallelJaw& jaw, double off) {
+  const auto all = contacts(jaw, Surface(Box{{0.06, 0.2, 0.2}}));
+  const Grasp<3> grasp(Load<3>{.weight = 10, .com = {0, off, 0}}, all, 1, mechanism(jaw));
+  return grip(grasp, least_grip(grasp, Vector<3>(0, 0, 1)));
+}
+
+TEST(ParallelJaw, HoldsTwiceTheFrictionOfItsForce) {
+  for (const int samples : {1, 4, 16}) {
+    ParallelJaw at = jaw;
+    at.samples = samples;
+    EXPECT_NEAR(least_command(at, 0), 10 / (2 * 0.5), 1e-7);
+  }
+}
+
+/// The force and the moment of a friction of 1 N in all, spread evenly over a square of side 1 that
+/// turns about a point at a distance from its middle: by Simpson's rule along strips in closed
+/// form.
+std::pair<double, double> even_friction(double distance) {
+  double force = 0, moment = 0;
+  const int n = 2000;
+  for (int k = 0; k <= n; ++k) {
+    const double z = -0.5 + static_cast<double>(k) / n,
+                 weight = k == 0 || k == n ? 1 : 2 + 2 * (k % 2);
+    // Over u from the point along y: u / hypot(u, z), and hypot(u, z) about the point.
+    const double a = distance - 0.5, b = distance + 0.5;
+    const auto lever = [z](double u) {
+      const double r = std::hypot(u, z);
+      return (u * r + (z == 0 ? 0 : z * z * std::asinh(u / std::abs(z)))) / 2;
+    };
+    const double strip = std::hypot(b, z) - std::hypot(a, z);
+    force += weight * strip / (3.0 * n);
+    moment += weight * (lever(b) - lever(a) - distance * strip) / (3.0 * n);
+  }
+  return {force, moment};
+}
+
+TEST(ParallelJaw, ResistsTheTwistAsEvenPressureDoes) {
+  ParallelJaw at = jaw;
+  at.height = at.width;  // 20 mm
+  for (const double off : {0.005, 0.01, 0.03}) {
+    double near = 0, far = 100;  // of the point about which it turns, in sides
+    for (int step = 0; step < 100; ++step) {
+      const double middle = (near + far) / 2;
+      const auto [force, moment] = even_friction(middle);
+      (moment * at.width > off * force ? near : far) = middle;
+    }
+    const double even = 10 / (2 * 0.5 * even_friction(near).first);
+    double last = std::numeric_limits<double>::infinity();
+    for (const int side : {2, 4, 8, 16}) {  // halved cells never need more
+      at.samples = side * side;
+      const double command = least_command(at, off);
+      EXPECT_GT(command, even * (1 - 1e-7));
+      EXPECT_LT(command, last);
+      last = command;
+      if (side == 4) EXPECT_LT(command, 1.025 * even);
+    }
+    EXPECT_LT(last, 1.003 * even) << off;
+  }
+}
+
+TEST(ParallelJaw, ItsDriveClosesBothPadsWithAtMostItsForce) {
+  ParallelJaw at = jaw;
+  at.pose.orientation = Eigen::AngleAxisd(0.3, Vector<3>(1, 2, 3).normalized());
+  for (const ParallelJaw& each : {at, facets_of(at)}) {
+    const Grasp<3> grasp(Load<3>{.weight = 1}, contacts(each, Surface(Solid(Sphere{0.03}))), 1,
+                         mechanism(each));
+    const std::vector<Drive<3>> drives = grasp.drives();
+    ASSERT_EQ(drives.size(), 1U);
+    EXPECT_EQ(drives[0].max, 40);
+    // The mean of both pads' forces.
+    const Vector<3> x = at.pose.orientation * Vector<3>::UnitX();
+    EXPECT_LE((drives[0].moves[0].twist.head<3>() - x / 2).norm(), 1e-15);
+    EXPECT_LE((drives[0].moves[1].twist.head<3>() + x / 2).norm(), 1e-15);
+  }
+  EXPECT_EQ(mechanism(Fingertips{}), Mechanism<3>{});
+}
+
+TEST(Facets, TouchABoxOnBothSides) {
+  ParallelJaw jaw = facets_of(poise::jaw);
+  jaw.torsion = 0.003;
   for (const Solid& box :
        {Solid(Box{{0.06, 0.1, 0.1}}),
         solid_of(moved(box_mesh({0.06, 0.1, 0.1}),
@@ -85,7 +301,7 @@ TEST(ParallelJaw, TouchesABoxOnBothSides) {
       EXPECT_NEAR(std::abs(std::abs(c.position.z()) - 0.01), 0.005, 1e-15);
       EXPECT_EQ(c.friction, 0.5);
       EXPECT_EQ(c.torsion, 0.003);
-      EXPECT_EQ(c.max_normal, 5);
+      EXPECT_EQ(c.max_normal, std::numeric_limits<double>::infinity());
       EXPECT_EQ(c.share, 0.125);
       EXPECT_EQ(c.min_normal, 0);
     }
@@ -97,7 +313,7 @@ TEST(ParallelJaw, TouchesABoxOnBothSides) {
 TEST(ParallelJaw, TouchesASphereAsFarAsItsPadsGiveWay) {
   const double r = 0.03;
   const Surface sphere{Solid(Sphere{r})};
-  ParallelJaw fine = jaw;
+  ParallelJaw fine = facets_of(jaw);
   fine.samples = 800;
   for (const double depth : {0.0, 0.001, 0.003, 0.1}) {
     fine.depth = depth;
@@ -118,13 +334,21 @@ TEST(ParallelJaw, TouchesASphereAsFarAsItsPadsGiveWay) {
       EXPECT_NEAR(c.position.norm(), r, 1e-15);
       EXPECT_LE((c.normal + c.position / r).norm(), 1e-13);
     }
+    fine.contact = JawContact::pads;
+    const std::vector<Contact<3>> pads = contacts(fine, sphere);
+    fine.contact = JawContact::facets;
+    check_pads(pads);
+    for (const Contact<3>& c : pads) {
+      EXPECT_EQ(c.pad->points.size(), within);
+      EXPECT_LE((c.normal - Vector<3>(c.finger == "left" ? 1 : -1, 0, 0)).norm(), 1e-12);
+    }
   }
 }
 
 TEST(ParallelJaw, OddNumbersOfSamplesStillFillThePad) {
   // The mean square distance of n cell centres from the middle of a side.
   for (const int samples : {1, 2, 3, 5, 6, 7, 12, 16, 24, 97}) {
-    ParallelJaw other = jaw;
+    ParallelJaw other = facets_of(jaw);
     other.samples = samples;
     const auto all = contacts(other, Surface(Box{{0.06, 0.1, 0.1}}));
     ASSERT_EQ(all.size(), 2U * static_cast<std::size_t>(samples));
@@ -149,6 +373,13 @@ void expect_near(const std::vector<Contact<3>>& a, const std::vector<Contact<3>>
     EXPECT_LE((a[i].position - b[i].position).norm(), length);
     EXPECT_LE((a[i].normal - b[i].normal).norm(), angle);
     EXPECT_EQ(a[i].finger, b[i].finger);
+    ASSERT_EQ(a[i].pad.has_value(), b[i].pad.has_value());
+    if (!a[i].pad) continue;
+    ASSERT_EQ(a[i].pad->points.size(), b[i].pad->points.size());
+    for (std::size_t k = 0; k < a[i].pad->points.size(); ++k)
+      EXPECT_LE((a[i].pad->points[k] - b[i].pad->points[k]).norm(), length);
+    EXPECT_LE((a[i].pad->axis - b[i].pad->axis).norm(), angle);
+    EXPECT_LE((a[i].pad->reach - b[i].pad->reach).norm(), length);
   }
 }
 
@@ -238,6 +469,8 @@ TEST(ParallelJaw, MovesWithTheObject) {
     for (Contact<3>& c : there) {
       c.position = motion.inverse() * c.position;
       c.normal = turn.inverse() * c.normal;
+      c.pad->axis = turn.inverse() * c.pad->axis;
+      for (Vector<3>& point : c.pad->points) point = turn.inverse() * point;
     }
     expect_near(here, there, 1e-8, 1e-12);
   }
@@ -255,7 +488,11 @@ TEST(ParallelJaw, GrowsWithTheObject) {
       *length *= scale;
     auto there =
         contacts(other, Surface(solid_of(moved(mesh, Eigen::Affine3d(Eigen::Scaling(scale))))));
-    for (Contact<3>& c : there) c.position /= scale;
+    for (Contact<3>& c : there) {
+      c.position /= scale;
+      c.pad->reach /= scale;
+      for (Vector<3>& point : c.pad->points) point /= scale;
+    }
     expect_near(here, there, 1e-8, 1e-12);
   }
 }
@@ -264,7 +501,7 @@ TEST(ParallelJaw, TheWallOfACupMayBeBetweenThePads) {
   // A cup: outer radius 40 mm, wall 4 mm, 90 mm high, its bottom 5 mm.
   const Mesh cup = turned_mesh(
       {{0, 0}, {0.04, 0}, {0.04, 0.09}, {0.036, 0.09}, {0.036, 0.005}, {0, 0.005}}, 256);
-  ParallelJaw at = jaw;
+  ParallelJaw at = facets_of(jaw);
   at.opening = 0.02;
   at.pose.position = {0.038, 0, 0.075};
   at.height = 0.02;
@@ -339,7 +576,7 @@ TEST(ParallelJaw, TenThousandPosesTouchBothSidesOrSayWhyNot) {
   std::uniform_real_distribution<double> number(-1, 1);
   std::map<std::string, int> reasons;
   for (int k = 0; k < 10000; ++k) {
-    ParallelJaw at = jaw;
+    ParallelJaw at = k % 2 == 0 ? facets_of(jaw) : jaw;
     at.pose = {Vector<3>(0.06 * number(random) + 0.02, 0.06 * number(random),
                          0.045 + 0.06 * number(random)),
                random_rotation(random)};

@@ -312,9 +312,10 @@ TEST_F(MeshFile, GripsAreWrittenAsContactsAndReadBack) {
       read("{density: 800, shape: {mesh: {file: box.obj, scale: 1}}}",
            "name: held\nup: [0, 3, 4]\nsafety: 1.5\ntilt: {from: [0, 0, 1], max_deg: 30}\n"
            "gripper: {type: parallel_jaw, position: [0.04, 0.04, 0.03], quaternion: [1, 0, 0, 0],\n"
-           "  opening: 0.08, pad: {width: 0.02, height: 0.04}, friction: 0.6, torsion: 0.001,\n"
-           "  samples: 8, max_force: 40}\n");
-  ASSERT_EQ(file.contacts.size(), 16U);
+           "  opening: 0.08, pad: {width: 0.02, height: 0.04}, friction: 0.6,\n"
+           "  samples: 8, max_force: 40}\nfingers: {left: {max_force: 30}}\n");
+  ASSERT_EQ(file.contacts.size(), 2U);
+  EXPECT_EQ(file.grasp().drives()[0].max, 30);
   EXPECT_EQ(file.warnings, Strings());
   for (const WriteAs held : {WriteAs::contacts, WriteAs::gripper}) {
     fs::create_directories(folder() / "sub");
@@ -336,21 +337,31 @@ TEST_F(MeshFile, GripsAreWrittenAsContactsAndReadBack) {
       EXPECT_EQ(a.position, b.position);
       EXPECT_TRUE(a.normal.isApprox(b.normal, 1e-15));
       EXPECT_EQ(a.friction, b.friction);
-      EXPECT_EQ(a.torsion, b.torsion);
-      EXPECT_EQ(a.share, b.share);
-      EXPECT_EQ(a.max_normal, b.max_normal);
       EXPECT_EQ(a.finger, b.finger);
+      EXPECT_EQ(a.pad->points, b.pad->points);
+      EXPECT_EQ(a.pad->shares, b.pad->shares);
+      EXPECT_EQ(a.pad->reach, b.pad->reach);
+      EXPECT_TRUE(a.pad->axis.isApprox(b.pad->axis, 1e-15));
+    }
+    EXPECT_EQ(back.mechanism.kind, file.mechanism.kind);
+    ASSERT_EQ(back.mechanism.fingers.size(), 2U);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Finger<3>&a = file.mechanism.fingers[k], &b = back.mechanism.fingers[k];
+      EXPECT_EQ(a.name, b.name);
+      EXPECT_TRUE(a.closing.isApprox(b.closing, 1e-15));
+      EXPECT_EQ(a.max_force, b.max_force);
     }
   }
 }
 
 TEST_F(MeshFile, GrippersHaveTheUnitOfTheFile) {
   write("box.obj", box);
-  const SpatialFile file =
-      read("{mass: 1, shape: {mesh: {file: box.obj, scale: 1}}}",
-           "length_unit: mm\n"
-           "gripper: {type: parallel_jaw, position: [40, 40, 30], quaternion: [0, 0, 0, 2],\n"
-           "  opening: 80, pad: {width: 20, height: 40, depth: 2}, friction: 0.6, torsion: 3}\n");
+  const SpatialFile file = read(
+      "{mass: 1, shape: {mesh: {file: box.obj, scale: 1}}}",
+      "length_unit: mm\n"
+      "gripper: {type: parallel_jaw, position: [40, 40, 30], quaternion: [0, 0, 0, 2],\n"
+      "  opening: 80, pad: {width: 20, height: 40, depth: 2}, friction: 0.6, contact: facets,\n"
+      "  torsion: 3}\n");
   const auto& jaw = std::get<ParallelJaw>(*file.gripper);
   EXPECT_TRUE(jaw.pose.position.isApprox(middle + Vector<3>(0, 0, 0), 1e-15));
   EXPECT_DOUBLE_EQ(jaw.opening, 0.08);

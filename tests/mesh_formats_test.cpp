@@ -727,7 +727,7 @@ TEST_F(MeshCase, APadThatMeetsASurfaceFromBehindIsWarnedOf) {
   write_obj(open, at("open.obj"));
   const SpatialFile file = read("open.obj", by_hand);
   ASSERT_EQ(file.warnings.size(), 2U);
-  EXPECT_NE(file.warnings[1].find("gripper: contacts 0 to 15 meet the surface from behind: it is "
+  EXPECT_NE(file.warnings[1].find("gripper: contact 0 meets the surface from behind: it is "
                                   "open there, or faces the wrong way"),
             std::string::npos)
       << file.warnings[1];

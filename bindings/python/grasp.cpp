@@ -22,7 +22,7 @@ Mechanism<Dim> read_mechanism(const py::object& drives, const py::object& finger
   const std::string text = py::str(json.attr("dumps")(keys, py::arg("default") = plain));
   try {
     const Document document = parse_json(text, "");
-    return poise::read_mechanism<Dim>(Field(document), 1, contacts, DriveKind::each);
+    return poise::read_mechanism<Dim>(Field(document), 1, contacts);
   } catch (const FileError& error) {
     throw InvalidGrasp(error.path(), error.problem());
   }

@@ -69,7 +69,7 @@ SpatialFile Acronym::grasp(std::size_t n) const {
   std::vector<std::string> behind;
   result.contacts = contacts(jaw, *surface_, &behind);
   result.gripper = jaw;
-  result.mechanism.kind = DriveKind::coupled;
+  result.mechanism = mechanism(jaw);
   for (const std::string& note : notes_)
     result.warnings.push_back(located(file_, {}, "/object/file", note));
   for (const std::string& note : behind)

@@ -336,6 +336,9 @@ void read_contacts(const Field& root, double unit, CommonFile<Dim>& file) {
 void close_gripper(const Field& root, const Field& gripper, double unit, SpatialFile& file) {
   if (const auto contacts = root.find("contacts"))
     contacts->fail("are given as well as a gripper, must be one of them");
+  if (const auto drives = root.find("drives"); drives && !drives->is_text())
+    if (const auto force = gripper.find("max_force"))
+      force->fail("is given as well as a list of drives, must be max of a drive");
   if (!file.shape) gripper.fail("needs a shape to close on: give object.shape");
   file.gripper = read_gripper(gripper, unit);
   try {
@@ -371,7 +374,7 @@ PlanarFile read_planar(const Field& root) {
   const Field object = read_shape_of_object<2>(root, unit, file);
   file.loads = {read_load<2>(object, unit, file.shape)};
   read_contacts<2>(root, unit, file);
-  file.mechanism = read_mechanism<2>(root, unit, file.contacts, DriveKind::each);
+  file.mechanism = read_mechanism<2>(root, unit, file.contacts);
   check_grasp<2>(root, file);
   return file;
 }
@@ -390,9 +393,8 @@ SpatialFile read_spatial(const Field& root) {
     close_gripper(root, *gripper, unit, file);
   else
     read_contacts<3>(root, unit, file);
-  const bool is_jaw = file.gripper && std::holds_alternative<ParallelJaw>(*file.gripper);
-  file.mechanism =
-      read_mechanism<3>(root, unit, file.contacts, is_jaw ? DriveKind::coupled : DriveKind::each);
+  file.mechanism = read_mechanism<3>(root, unit, file.contacts,
+                                     file.gripper ? mechanism(*file.gripper) : Mechanism<3>{});
   check_grasp<3>(root, file);
   return file;
 }

@@ -62,18 +62,22 @@ Json drive_value(const Drive<Dim>& drive) {
 
 /// What is not as it is anyway.
 template <int Dim>
-void add_mechanism(Json& result, const Mechanism<Dim>& mechanism, DriveKind otherwise) {
+void add_mechanism(Json& result, const Mechanism<Dim>& mechanism,
+                   const Mechanism<Dim>& otherwise = {}) {
   if (mechanism.kind == DriveKind::listed) {
     result["drives"] = Json::array();
     for (const Drive<Dim>& drive : mechanism.drives) result["drives"].push_back(drive_value(drive));
-  } else if (mechanism.kind != otherwise) {
+  } else if (mechanism.kind != otherwise.kind) {
     result["drives"] = to_string(mechanism.kind);
   }
   for (const Finger<Dim>& finger : mechanism.fingers) {
+    Finger<Dim> plain;
+    for (const Finger<Dim>& other : otherwise.fingers)
+      if (other.name == finger.name) plain = other;
     Json value = Json::object();
-    if (finger.closing.cwiseAbs().maxCoeff() > 0) value["closing"] = json_value(finger.closing);
-    if (std::isfinite(finger.max_force)) value["max_force"] = finger.max_force;
-    result["fingers"][finger.name] = std::move(value);
+    if (finger.closing != plain.closing) value["closing"] = json_value(finger.closing);
+    if (finger.max_force != plain.max_force) value["max_force"] = finger.max_force;
+    if (!value.empty()) result["fingers"][finger.name] = std::move(value);
   }
 }
 
@@ -101,6 +105,7 @@ Json gripper_value(const ParallelJaw& jaw) {
   Json value = pose_value("parallel_jaw", jaw.pose);
   value["opening"] = jaw.opening;
   value["pad"] = {{"width", jaw.width}, {"height", jaw.height}, {"depth", jaw.depth}};
+  if (jaw.contact == JawContact::facets) value["contact"] = "facets";
   value["samples"] = jaw.samples;
   return with_forces(std::move(value), jaw);
 }
@@ -166,16 +171,15 @@ std::string grasp_document(const SpatialFile& file, WriteAs as, const std::strin
     result["gripper"] = std::visit([](const auto& g) { return gripper_value(g); }, *file.gripper);
   else
     result["contacts"] = contact_values(file.contacts);
-  const bool is_jaw =
-      result.contains("gripper") && std::holds_alternative<ParallelJaw>(*file.gripper);
-  add_mechanism(result, file.mechanism, is_jaw ? DriveKind::coupled : DriveKind::each);
+  add_mechanism(result, file.mechanism,
+                result.contains("gripper") ? mechanism(*file.gripper) : Mechanism<3>{});
   return json_text(result);
 }
 
 template <int Dim>
 std::string mechanism_document(const Mechanism<Dim>& mechanism) {
   Json result = Json::object();
-  add_mechanism(result, mechanism, DriveKind::each);
+  add_mechanism(result, mechanism);
   return result.dump();
 }
 template std::string mechanism_document(const Mechanism<2>&);
@@ -194,7 +198,7 @@ std::string grasp_document(const PlanarFile& file) {
   result["object"] = load_value(file.loads.front());
   if (file.shape) result["object"]["shape"] = shape_value(*file.shape);
   result["contacts"] = contact_values(file.contacts);
-  add_mechanism(result, file.mechanism, DriveKind::each);
+  add_mechanism(result, file.mechanism);
   return json_text(result);
 }
 

@@ -29,7 +29,6 @@ void read_common(const Field& field, double unit, Gripper& gripper) {
     if (gripper.torsion > 0 && gripper.friction == 0)
       torsion->fail("is given without friction, must be left out, or give friction above 0");
   }
-  if (const auto force = field.find("max_force")) gripper.max_force = force->at_least_zero();
 }
 
 int read_samples(const Field& field) {
@@ -40,10 +39,15 @@ int read_samples(const Field& field) {
 }
 
 ParallelJaw read_jaw(const Field& field, double unit) {
-  field.mapping({"type", "position", "quaternion", "opening", "pad", "friction", "torsion",
-                 "samples", "max_force"});
+  field.mapping({"type", "position", "quaternion", "opening", "pad", "friction", "contact",
+                 "torsion", "samples", "max_force"});
   ParallelJaw jaw;
+  const auto contact = field.find("contact");
+  if (contact && contact->word({"pads", "facets"}) == "facets") jaw.contact = JawContact::facets;
+  if (const auto torsion = field.find("torsion"); torsion && jaw.contact == JawContact::pads)
+    torsion->fail("is given for pads, must be left out: their points resist the twist");
   read_common(field, unit, jaw);
+  if (const auto force = field.find("max_force")) jaw.max_force = force->above_zero();
   jaw.pose.position = unit * field.get("position", coordinates<3>).vector<3>();
   jaw.opening = unit * field.get("opening", "the distance of the open pads").above_zero();
   const Field pad = field.get("pad", "a mapping (keys: width, height, depth)");
@@ -71,6 +75,7 @@ Fingertips read_fingertips(const Field& field, double unit) {
   field.mapping({"type", "position", "quaternion", "rays", "friction", "torsion", "max_force"});
   Fingertips hand;
   read_common(field, unit, hand);
+  if (const auto force = field.find("max_force")) hand.max_force = force->at_least_zero();
   if (const auto position = field.find("position"))
     hand.pose.position = unit * position->vector<3>();
   const Field rays = field.get("rays", "a list of {origin, direction}");

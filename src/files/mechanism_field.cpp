@@ -132,6 +132,15 @@ Drive<Dim> read_drive(const Field& field, double unit, const std::vector<std::st
   return drive;
 }
 
+/// What is said of a finger, with nothing said yet if it is new.
+template <int Dim>
+Finger<Dim>& finger_of(Mechanism<Dim>& mechanism, const std::string& name) {
+  for (Finger<Dim>& finger : mechanism.fingers)
+    if (finger.name == name) return finger;
+  mechanism.fingers.push_back({.name = name});
+  return mechanism.fingers.back();
+}
+
 }  // namespace
 
 Pad read_pad(const Field& field, double unit, const Vector<3>& normal) {
@@ -148,8 +157,7 @@ Pad read_pad(const Field& field, double unit, const Vector<3>& normal) {
 
 template <int Dim>
 Mechanism<Dim> read_mechanism(const Field& root, double unit,
-                              const std::vector<Contact<Dim>>& contacts, DriveKind kind) {
-  Mechanism<Dim> mechanism{.kind = kind};
+                              const std::vector<Contact<Dim>>& contacts, Mechanism<Dim> mechanism) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < contacts.size(); ++i)
     names.push_back(contacts[i].finger.empty() ? std::to_string(i) : contacts[i].finger);
@@ -173,7 +181,7 @@ Mechanism<Dim> read_mechanism(const Field& root, double unit,
       const auto given = fingers->find(name);
       if (!given) continue;
       given->mapping({"closing", "max_force"});
-      Finger<Dim> finger{.name = name};
+      Finger<Dim>& finger = finger_of(mechanism, name);
       if (const auto closing = given->find("closing"))
         finger.closing = read_direction<Dim>(*closing);
       if (const auto force = given->find("max_force")) {
@@ -181,15 +189,14 @@ Mechanism<Dim> read_mechanism(const Field& root, double unit,
           force->fail("is given as well as a list of drives, must be max of a drive");
         finger.max_force = force->above_zero();
       }
-      mechanism.fingers.push_back(finger);
     }
   }
   return mechanism;
 }
 
 template Mechanism<2> read_mechanism(const Field&, double, const std::vector<Contact<2>>&,
-                                     DriveKind);
+                                     Mechanism<2>);
 template Mechanism<3> read_mechanism(const Field&, double, const std::vector<Contact<3>>&,
-                                     DriveKind);
+                                     Mechanism<3>);
 
 }  // namespace poise

@@ -10,9 +10,10 @@ namespace poise {
 Pad read_pad(const Field& field, double unit, const Vector<3>& normal);
 
 /// The mechanism of a file: `drives` and `fingers`, where it has them.
-/// @param kind  where the file does not say
+/// @param mechanism  where the file does not say
 template <int Dim>
 Mechanism<Dim> read_mechanism(const Field& root, double unit,
-                              const std::vector<Contact<Dim>>& contacts, DriveKind kind);
+                              const std::vector<Contact<Dim>>& contacts,
+                              Mechanism<Dim> mechanism = {});
 
 }  // namespace poise

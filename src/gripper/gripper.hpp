@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gripper/surface.hpp"
-#include "poise/contact.hpp"
+#include "poise/hand.hpp"
 
 namespace poise {
 
@@ -17,6 +17,12 @@ namespace poise {
 struct Pose {
   Vector<3> position = Vector<3>::Zero();                           ///< [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of length 1
+};
+
+/// What a pad of a parallel jaw makes of the points where it touches.
+enum class JawContact {
+  pads,    ///< one contact, a pad with these points
+  facets,  ///< a point contact of each
 };
 
 /// Two pads that face each other, rectangles across the x axis of the gripper's frame at
@@ -27,9 +33,11 @@ struct ParallelJaw {
   double opening{0};           ///< [m], > 0
   double width{0}, height{0};  ///< of a pad, along y and z [m], > 0
   double depth{0.001};         ///< how far a pad gives way [m], >= 0
-  double friction{0}, torsion{0};
+  double friction{0};
+  JawContact contact{JawContact::pads};
+  double torsion{0};                                          ///< of facets
   int samples{16};                                            ///< rays of a pad
-  double max_force{std::numeric_limits<double>::infinity()};  ///< of a pad [N]
+  double max_force{std::numeric_limits<double>::infinity()};  ///< of the drive [N], > 0
 };
 
 /// A finger that moves along a ray until it touches, in the gripper's frame.
@@ -59,16 +67,22 @@ class MissedGrip : public std::runtime_error {
 ///
 /// From each pad of a parallel jaw `samples` rays run along x, from the centres of equal cells in
 /// rows and columns, as near to squares as the number allows. The pad moves until the first of them
-/// meets the surface; those that meet it within `depth` of that are the contacts, each with 1 /
-/// samples of the pad (share) and of its greatest force, whether or not the others touch: a pad
-/// that touches with a part of its area is not said to be stronger than it is. Each pad moves until
-/// it touches, even beyond the middle: object or gripper give way.
+/// meets the surface; it touches where they meet it within `depth` of that. Each pad moves until it
+/// touches, even beyond the middle: object or gripper give way.
 ///
-/// Normals are those of the surface, towards the side that the ray comes from turned inwards.
+/// Normals are those of the surface, towards the side that the ray comes from turned inwards. A pad
+/// is one contact: its normal is their mean, its position the mean of the points where it touches,
+/// each of which carries an equal part. Its reach is how far it touches to both sides of that, by
+/// these rays and such from the corners of the cells: all of a pad, half its size. Where it touches
+/// at one point alone it is a point contact. Of facets each has 1 / samples of the pad as its
+/// share, whether or not the others touch.
 /// @param notes  gets what looks like a mistake, in words: "contacts 0 to 15 meet the surface ..."
 /// @throws MissedGrip where a finger misses the object, begins inside it, or is so far away that no
 ///         digits are left; then also where the object is, and of what size
 std::vector<Contact<3>> contacts(const Gripper& gripper, const Surface& surface,
                                  std::vector<std::string>* notes = nullptr);
+
+/// What moves its fingers: one drive closes both pads of a jaw along x, each fingertip has its own.
+Mechanism<3> mechanism(const Gripper& gripper);
 
 }  // namespace poise
