@@ -18,7 +18,7 @@ bool moderate(const Grasp<2>& grasp, double effort) {
 /// Of the effort of an optimum. At the end of the holdable set V may be as steep as it likes, so
 /// its holds say less about it.
 Real tolerance(const PostureCurve& curve, const Optimum& optimum) {
-  return (optimum.kind == Kind::boundary ? 1e-6L : 1e-9L) * optimum.effort +
+  return (optimum.kind == Kind::boundary ? 1e-6L : 1e-9L) * optimum.value +
          rounding(curve, optimum.angle);
 }
 
@@ -47,7 +47,7 @@ RC_GTEST_PROP(BestPosture, LowerBoundIsWhatItsArcsProve, ()) {
     RC_ASSERT(best.lower_bound == 0);
     return;
   }
-  const double effort = best.best().optimum.effort;
+  const double effort = best.best().optimum.value;
   RC_ASSERT(best.lower_bound <= effort * (1 + 1e-9));
   RC_ASSERT(best.lower_bound >= effort * (1 - 1e-9));
   for (const Arc& arc : best.proof.curve.arcs) {
@@ -63,10 +63,10 @@ RC_GTEST_PROP(BestPosture, HoldsAreThoseOfItsPostures, ()) {
   RC_ASSERT(best.holdable() == !best.proof.curve.holdable.empty());
   for (const Minimum<2>& minimum : best.minima) {
     const double theta = minimum.optimum.angle;
-    if (!moderate(grasp, minimum.optimum.effort)) continue;
+    if (!moderate(grasp, minimum.optimum.value)) continue;
     RC_ASSERT(minimum.hold().holdable);
     RC_ASSERT(fault(grasp, theta, minimum.hold()) == "");
-    RC_ASSERT(std::abs(minimum.hold().effort - minimum.optimum.effort) <=
+    RC_ASSERT(std::abs(minimum.hold().effort - minimum.optimum.value) <=
               tolerance(best.proof.curve, minimum.optimum));
     RC_ASSERT(minimum.manner == manner(grasp, grasp.loads().front(), up_at(theta), minimum.hold()));
   }
@@ -105,7 +105,7 @@ RC_GTEST_PROP(BestPosture, EdgesMeetOnTheVerticalThroughTheCom, ()) {
   const Grasp<2> grasp = held.grasp();
   for (const Minimum<2>& minimum : best_posture(grasp).minima) {
     RC_ASSERT(!minimum.edges_meet || minimum.two_slipping);
-    if (!minimum.edges_meet || !moderate(grasp, minimum.optimum.effort)) continue;
+    if (!minimum.edges_meet || !moderate(grasp, minimum.optimum.value)) continue;
     RC_ASSERT(minimum.optimum.kind == Kind::kink);
     const Vector<2> arm = *minimum.edges_meet - held.object.com, up = up_at(minimum.optimum.angle);
     const double lost = 1 + arm.norm();  // a far point is only as exact as the edges' directions

@@ -206,13 +206,13 @@ TEST(PaperTheorem, EveryKinkWithBothSlippingIsWhereEdgesMeet) {
     const std::vector<BothSlip> meetings = both_slip(grasp);
     for (const poise::Minimum<2>& minimum : best_posture(grasp).minima) {
       if (minimum.optimum.kind != Kind::kink || !minimum.two_slipping) continue;
-      if (minimum.optimum.effort > 1e6) continue;  // nearly parallel edges
+      if (minimum.optimum.value > 1e6) continue;  // nearly parallel edges
       ++kinks;
       double nearest = 1;
       for (const BothSlip& meeting : meetings)
         nearest = std::min(nearest,
                            std::abs(std::remainder(meeting.theta - minimum.optimum.angle, 2 * pi)) +
-                               std::abs(meeting.effort / minimum.optimum.effort - 1));
+                               std::abs(meeting.effort / minimum.optimum.value - 1));
       EXPECT_LT(nearest, 1e-6);
     }
   }

@@ -32,7 +32,7 @@ TEST(Paper, TableOfOptimaIsReproduced) {
     for (const double at : {-end, end}) {  // a and c
       const Optimum* optimum = minimum_at(best.proof.curve, at);
       ASSERT_TRUE(optimum);
-      EXPECT_NEAR(optimum->effort, 100, 1e-7);
+      EXPECT_NEAR(optimum->value, 100, 1e-7);
       EXPECT_EQ(optimum->kind, Kind::boundary);
     }
     const Optimum* b = minimum_at(best.proof.curve, theta_b);
@@ -84,7 +84,7 @@ TEST(Paper, Figure4cIsHeldAtTwoPosturesOnly) {
   EXPECT_NEAR(best.minima[0].optimum.angle, 0.75 * pi, 1e-12);
   EXPECT_NEAR(best.minima[1].optimum.angle, -0.75 * pi, 1e-12);
   for (const Minimum<2>& minimum : best.minima) {
-    EXPECT_NEAR(minimum.optimum.effort, 100, 1e-9);
+    EXPECT_NEAR(minimum.optimum.value, 100, 1e-9);
     EXPECT_EQ(minimum.optimum.kind, Kind::boundary);
     EXPECT_EQ(minimum.manner, Manner::resting);
   }
@@ -98,12 +98,12 @@ TEST(Paper, Figure4cIsHeldAtTwoPosturesOnly) {
 TEST(Paper, Figure6IsHeldWithLessInTheForkOfTheFingers) {
   const Best<2> best = best_posture(grasp_of(paper_table[5].disk));
   EXPECT_NEAR(best.best().optimum.angle, 165 * pi / 180, 1e-12);
-  EXPECT_NEAR(best.best().optimum.effort, 80.3848, 5e-5);
+  EXPECT_NEAR(best.best().optimum.value, 80.3848, 5e-5);
   EXPECT_EQ(best.best().manner, Manner::cradled);
   EXPECT_NE(best.best().optimum.kind, Kind::boundary);
   ASSERT_TRUE(best.best_pinched());
   EXPECT_NEAR(best.best_pinched()->optimum.angle, pi / 6, 1e-12);
-  EXPECT_NEAR(best.best_pinched()->optimum.effort, 300, 1e-9);
+  EXPECT_NEAR(best.best_pinched()->optimum.value, 300, 1e-9);
 }
 
 /// Friction above the limit cot phi by a factor of ten thousand up to ten.
@@ -125,7 +125,7 @@ RC_GTEST_PROP(Paper, CurveOfThePinchingRangeIsTheClosedForm, ()) {
     const auto arc = std::find_if(curve.arcs.begin(), curve.arcs.end(),
                                   [&](const Arc& a) { return a.from <= theta && theta <= a.to; });
     RC_ASSERT(arc != curve.arcs.end());
-    RC_ASSERT(close(arc->V(theta), V(disk, theta), 1e-9L, rounding(*arc)));
+    RC_ASSERT(close(arc->value(theta), V(disk, theta), 1e-9L, rounding(*arc)));
   }
 }
 
@@ -143,7 +143,7 @@ RC_GTEST_PROP(Paper, BIsAMinimumWhereTheSlopesDifferInSign, ()) {
   RC_ASSERT((optimum != nullptr) == (before < 0 && after > 0));
   if (!optimum) return;
   RC_ASSERT(optimum->kind == Kind::kink);
-  RC_ASSERT(close(optimum->effort, V(disk, b), 1e-9L, rounding(curve, b)));
+  RC_ASSERT(close(optimum->value, V(disk, b), 1e-9L, rounding(curve, b)));
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ void add_planar(py::module_& module) {
       .attribute("two_slipping", &Minimum<2>::two_slipping)
       .def("__repr__", [](const Minimum<2>& posture) {
         return py::str("PlanarPosture({:.2f} deg, effort={:.6g} N^2, {}, {})")
-            .format(degrees(posture.optimum.angle), posture.optimum.effort,
+            .format(degrees(posture.optimum.angle), posture.optimum.value,
                     to_string(posture.manner), to_string(posture.optimum.kind));
       });
 

@@ -65,12 +65,12 @@ void add_types(py::module_& module) {
   Class<Arc>(module, "Arc")
       .attribute("from_", &Arc::from)
       .attribute("to", &Arc::to)
-      .attribute("V", &Arc::V)
+      .attribute("value", &Arc::value)
       .attribute("y", &Arc::y,
                  "Optimal dual, about the object frame's origin: three Harmonic1 [N, N, N/m].")
       .attribute("first_state", &Arc::first_state)
       .def("__repr__", [](const Arc& arc) {
-        return py::str("Arc({:.6g} to {:.6g}, V={})").format(arc.from, arc.to, arc.V);
+        return py::str("Arc({:.6g} to {:.6g}, value={})").format(arc.from, arc.to, arc.value);
       });
 
   Class<UnholdableArc>(module, "UnholdableArc")
@@ -85,12 +85,12 @@ void add_types(py::module_& module) {
       .attribute("angle", &Optimum::angle)
       .attribute("from_", &Optimum::from)
       .attribute("to", &Optimum::to)
-      .attribute("effort", &Optimum::effort)
+      .attribute("value", &Optimum::value)
       .attribute("kind", &Optimum::kind)
       .attribute("maximum", &Optimum::maximum)
       .def("__repr__", [](const Optimum& optimum) {
         return py::str("Optimum({} at {:.6g} rad, effort={:.6g} N^2, {})")
-            .format(optimum.maximum ? "maximum" : "minimum", optimum.angle, optimum.effort,
+            .format(optimum.maximum ? "maximum" : "minimum", optimum.angle, optimum.value,
                     to_string(optimum.kind));
       });
 

@@ -134,7 +134,7 @@ std::optional<MinimumClaim<Dim>> minimum_claim(const Grasp<Dim>& grasp,
 std::vector<ArcClaim> arc_claims(const PostureCurve& curve, std::size_t contacts) {
   std::vector<ArcClaim> claims;
   for (const Arc& arc : curve.arcs) {
-    ArcClaim claim{arc.from, arc.to, arc.V};
+    ArcClaim claim{arc.from, arc.to, arc.value};
     for (Eigen::Index k = 0; k < 3; ++k) {
       const Harmonic1& y = arc.y[static_cast<std::size_t>(k)];
       claim.y.c0[k] = y.c0;

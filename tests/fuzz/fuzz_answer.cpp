@@ -81,7 +81,7 @@ class Judge {
       demand(arc.from >= last - 1e-7, "curve: arcs are in order", arc.from);
       demand(arc.first_state + grasp_.contacts().size() <= curve.states.size(), "curve: states",
              arc.from);
-      demand(std::isfinite(arc.V(arc.from)) && std::isfinite(arc.V(arc.to)), "curve: V is finite",
+      demand(std::isfinite(arc.value(arc.from)) && std::isfinite(arc.value(arc.to)), "curve: V is finite",
              arc.from);
       for (const Harmonic1& y : arc.y)
         demand(std::isfinite(y(arc.from)), "curve: y is finite", arc.from);
@@ -102,7 +102,7 @@ class Judge {
              "curve: a holdable interval", part.from);
     demand(curve.optima.empty() == curve.arcs.empty(), "curve: optima where it holds", 0);
     for (const Optimum& optimum : curve.optima) {
-      demand(std::isfinite(optimum.effort), "curve: the effort of an optimum", optimum.angle);
+      demand(std::isfinite(optimum.value), "curve: the effort of an optimum", optimum.angle);
       demand(optimum.from <= optimum.to, "curve: the stretch of an optimum", optimum.angle);
       demand(optimum.angle > -pi && optimum.angle <= pi, "curve: the angle of an optimum",
              optimum.angle);
@@ -118,7 +118,7 @@ class Judge {
     demand(std::isfinite(best.lower_bound), "best: lower_bound is finite", 0);
     for (const Minimum<2>& minimum : best.minima) judge(minimum.hold(), minimum.optimum.angle);
     if (best.holdable())
-      demand(best.lower_bound <= best.minima.front().optimum.effort * (1 + 1e-3),
+      demand(best.lower_bound <= best.minima.front().optimum.value * (1 + 1e-3),
              "best: lower_bound is one", best.lower_bound);
   }
 

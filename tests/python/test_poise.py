@@ -107,7 +107,7 @@ class AgainstTheProgram(unittest.TestCase):
             self.assertEqual(best.lower_bound, expected["lower_bound"])
         for arc, shown in zip(best.curve.arcs, expected["arcs"]):
             for name, value in shown["V"].items():
-                self.assertEqual(getattr(arc.V, name), value)
+                self.assertEqual(getattr(arc.value, name), value)
         self.assertEqual(len(best.curve.arcs), len(expected["arcs"]))
 
     def test_examples(self):
@@ -405,10 +405,10 @@ class Curves(unittest.TestCase):
         for arc in poise.posture_curve(grasp).arcs:
             theta = np.linspace(arc.from_, arc.to, 7)
             efforts = [poise.hold(grasp, poise.up_at(each)).effort for each in theta]
-            np.testing.assert_allclose(arc.V(theta), efforts, rtol=1e-9)
-            self.assertAlmostEqual(arc.V(theta[3]), efforts[3], delta=1e-9 * efforts[3])
-            slope = (arc.V(theta + 1e-6) - arc.V(theta - 1e-6)) / 2e-6
-            np.testing.assert_allclose(arc.V.slope(theta), slope, atol=1e-4)
+            np.testing.assert_allclose(arc.value(theta), efforts, rtol=1e-9)
+            self.assertAlmostEqual(arc.value(theta[3]), efforts[3], delta=1e-9 * efforts[3])
+            slope = (arc.value(theta + 1e-6) - arc.value(theta - 1e-6)) / 2e-6
+            np.testing.assert_allclose(arc.value.slope(theta), slope, atol=1e-4)
 
     def test_domains(self):
         grasp = disk()

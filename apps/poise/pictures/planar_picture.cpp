@@ -44,7 +44,7 @@ std::vector<std::vector<Vector<2>>> curve_lines(const PostureCurve& curve) {
       std::vector<Vector<2>> line;
       for (int k = 0; k <= steps; ++k) {
         const double theta = part.from + length * k / steps;
-        line.emplace_back(degrees(theta), std::sqrt(std::max(0.0, arc.V(theta))));
+        line.emplace_back(degrees(theta), std::sqrt(std::max(0.0, arc.value(theta))));
       }
       if (!lines.empty() && lines.back().back().x() == line.front().x())
         lines.back().insert(lines.back().end(), line.begin(), line.end());
@@ -55,7 +55,7 @@ std::vector<std::vector<Vector<2>>> curve_lines(const PostureCurve& curve) {
 }
 
 Vector<2> marker(const Optimum& optimum) {
-  return {degrees(optimum.angle), std::sqrt(optimum.effort)};
+  return {degrees(optimum.angle), std::sqrt(optimum.value)};
 }
 
 void draw_optima(Script& script, const std::vector<Optimum>& optima) {
@@ -97,9 +97,9 @@ void plot_curve(Script& script, const PlanarFile& file, const Grasp<2>& grasp,
   // thousand times that, or the last minimum, there is nothing to be seen.
   double low = 0, high = 1, highest_minimum = 0;
   if (best.holdable()) {
-    low = high = std::sqrt(best.best().optimum.effort);
+    low = high = std::sqrt(best.best().optimum.value);
     for (const Minimum<2>& minimum : best.minima)
-      highest_minimum = std::max(highest_minimum, std::sqrt(minimum.optimum.effort));
+      highest_minimum = std::max(highest_minimum, std::sqrt(minimum.optimum.value));
     for (const auto& line : lines)
       for (const Vector<2>& point : line) high = std::max(high, point.y());
     high = std::min(high, std::max(1000 * low, 3 * highest_minimum));

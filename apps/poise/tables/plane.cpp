@@ -37,7 +37,7 @@ std::string optima_text(const Grasp<2>& grasp, const std::vector<Minimum<2>>& op
     const Optimum& optimum = posture.optimum;
     rows.push_back({posture_text(optimum),
                     grip_force<2>(grasp, posture),
-                    optimum.effort,
+                    optimum.value,
                     {to_string(posture.manner), to_string(optimum.kind)}});
     if (types == Types::shown)
       rows.back().words.emplace_back(optimum.maximum ? "maximum" : "minimum");
@@ -88,10 +88,10 @@ std::string arcs_table(const Grasp<2>& grasp, const PostureCurve& curve, const S
     for (std::size_t i = 0; i < contacts; ++i) headings.push_back("<" + grasp.contacts()[i].finger);
   Table table(headings);
   double largest = 0;
-  for (const Arc& arc : curve.arcs) largest = std::max({largest, arc.V(arc.from), arc.V(arc.to)});
+  for (const Arc& arc : curve.arcs) largest = std::max({largest, arc.value(arc.from), arc.value(arc.to)});
   const int decimals = decimals_for(std::sqrt(largest));
   const auto norm = [](const Arc& arc, double theta) {
-    return std::sqrt(std::max(0.0, arc.V(theta)));
+    return std::sqrt(std::max(0.0, arc.value(theta)));
   };
   for (const Arc& arc : curve.arcs) {
     std::vector<std::string> row{degrees_text(arc.from), degrees_text(arc.to),

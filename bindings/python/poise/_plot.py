@@ -45,7 +45,7 @@ def _plot_curve(curve: _core.PostureCurve, axes: Axes) -> Axes:
     for turn in (-360, 0, 360):  # arcs may run on beyond the end of the domain
         for arc in curve.arcs:
             theta = np.linspace(arc.from_, arc.to, 2 + int(60 * (arc.to - arc.from_)))
-            norm = np.sqrt(np.maximum(arc.V(theta), 0))
+            norm = np.sqrt(np.maximum(arc.value(theta), 0))
             axes.plot(np.degrees(theta) + turn, norm, color="C0")
         for gap in curve.unholdable_arcs:
             ends = np.degrees([gap.from_, gap.to]) + turn
