@@ -65,7 +65,10 @@ std::optional<Tilt> tilt_of(const SpatialFile& file, const Question& question) {
 }
 
 CurveSettings curve_settings(const PlanarFile& file, const Question& question) {
-  return {.domain = question.domain.value_or(file.domain), .force_cap = question.force_cap};
+  return {.domain = question.domain.value_or(file.domain),
+          .force_cap = question.force_cap,
+          .objective = question.objective.value_or(file.objective),
+          .present = file.angle.value_or(0)};
 }
 
 SpatialSettings spatial_settings(const SpatialFile& file, const Question& question,
@@ -106,7 +109,8 @@ HoldAnswer<Dim> hold_in_posture(const FileOf<Dim>& file, const Grasp<Dim>& grasp
 /// A posture of a domain in which nothing can be held.
 Posture<2> example_of(const Grasp<2>& grasp, const CurveSettings& settings) {
   const Interval domain = domain_interval(grasp, settings.domain);
-  return posture_at(grasp, up_at((domain.from + domain.to) / 2), {settings.force_cap});
+  return posture_at(grasp, up_at((domain.from + domain.to) / 2),
+                    {settings.force_cap, settings.objective});
 }
 
 /// Where nothing holds: the best posture of the fingers if they could press as hard as they like.
@@ -131,11 +135,9 @@ BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question
                                       {question.tilt_max_deg.has_value(), "tilt-max"},
                                       {question.orientation.has_value(), "orientation"}})
     if (given) throw Misfit(option, "is for space,", 2);
-  if (question.objective.value_or(file.objective) == Objective::grip)
-    throw Misfit("objective", "grip is found by hold alone in the plane,", 2);
   const CurveSettings settings = curve_settings(file, question);
   BestAnswer<2> answer{settings, best_posture(grasp, settings)};
-  if (file.angle) answer.now = posture_at(grasp, up_at(*file.angle), {settings.force_cap});
+  if (file.angle) answer.now = posture_at(grasp, up_at(*file.angle), {settings.force_cap, settings.objective});
   if (!answer.best.holdable()) {
     answer.unholdable = example_of(grasp, settings);
     answer.without_max_normal = best_without_max_normal(grasp, settings);

@@ -33,10 +33,15 @@ inline Words words_of(Extremum) { return {"min", "max"}; }
 void fields(Harmonic2& V, auto& visit) {
   visit("c0", V.c0, "cos1", V.cos1, "sin1", V.sin1, "cos2", V.cos2, "sin2", V.sin2);
 }
+void fields(Harmonic1& F, auto& visit) { visit("c0", F.c0, "cos1", F.cos1, "sin1", F.sin1); }
+void fields(ArcForce& force, auto& visit) {
+  visit("normal", force.normal, "tangential", force.tangential);
+}
 void fields(ArcState& arc, auto& visit) { visit("state", arc.state, "limit", arc.limit); }
 void fields(UnholdableArc& arc, auto& visit) {
   visit.degrees("from_deg", arc.from, "to_deg", arc.to);
   visit("y", arc.y);
+  visit.maybe("rates", arc.rates);
 }
 void fields(Tilt& tilt, auto& visit) {
   visit("from", tilt.from);
@@ -164,14 +169,22 @@ struct ArcDual {
 };
 
 struct ArcClaim {
-  double from{0}, to{0};  ///< [rad]
-  Harmonic2 V{};
-  ArcDual y{};
+  double from{0}, to{0};           ///< [rad]
+  std::optional<Harmonic1> F{};    ///< of grip; then y and rates prove it all along
+  Harmonic2 V{};                   ///< of effort
+  ArcDual y{};                     ///< of grip c0 alone
+  std::vector<double> rates{};     ///< of grip
+  std::vector<ArcForce> forces{};  ///< of grip, one for each contact
   std::vector<ArcState> states{};  ///< one for each contact
 
   void fields(auto& visit) {
     visit.degrees("from_deg", from, "to_deg", to);
-    visit("V", V, "y", y, "states", states);
+    visit.maybe("F", F);
+    if (F)
+      visit("y", y.c0, "rates", rates, "forces", forces);
+    else
+      visit("V", V, "y", y);
+    visit("states", states);
   }
 };
 
@@ -189,7 +202,8 @@ struct RotationClaim {
 /// What was asked for: of these what belongs to the command, or was given.
 struct OptionsClaim {
   std::optional<Domain> domain{};
-  double force_cap{0};  ///< [weights]
+  std::optional<double> present_deg{};  ///< in the plane: of ties the least turn from it is first
+  double force_cap{0};                  ///< [weights]
   std::optional<Objective> objective{};
   std::optional<double> gap{};
   std::optional<int> max_holds{};
@@ -199,7 +213,7 @@ struct OptionsClaim {
   std::optional<std::vector<double>> up{};
 
   void fields(auto& visit) {
-    visit.maybe("domain", domain);
+    visit.maybe("domain", domain, "present_deg", present_deg);
     visit("force_cap", force_cap);
     visit.maybe("objective", objective, "gap", gap, "max_holds", max_holds, "tilt", tilt,
                 "orientation", orientation);

@@ -134,7 +134,14 @@ std::optional<MinimumClaim<Dim>> minimum_claim(const Grasp<Dim>& grasp,
 std::vector<ArcClaim> arc_claims(const PostureCurve& curve, std::size_t contacts) {
   std::vector<ArcClaim> claims;
   for (const Arc& arc : curve.arcs) {
-    ArcClaim claim{arc.from, arc.to, arc.value};
+    ArcClaim claim{.from = arc.from, .to = arc.to};
+    if (arc.rates) {
+      claim.F = {arc.value.c0, arc.value.cos1, arc.value.sin1};
+      claim.rates = *arc.rates;
+      claim.forces = arc.forces;
+    } else {
+      claim.V = arc.value;
+    }
     for (Eigen::Index k = 0; k < 3; ++k) {
       const Harmonic1& y = arc.y[static_cast<std::size_t>(k)];
       claim.y.c0[k] = y.c0;
@@ -151,7 +158,10 @@ std::vector<ArcClaim> arc_claims(const PostureCurve& curve, std::size_t contacts
 RotationClaim rotation_claim(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
 OptionsClaim options_claim(const CurveSettings& settings) {
-  return {.domain = settings.domain, .force_cap = settings.force_cap};
+  return {.domain = settings.domain,
+          .present_deg = degrees(settings.present),
+          .force_cap = settings.force_cap,
+          .objective = settings.objective};
 }
 
 void add_proof(BestDocument<2>& claim, const Grasp<2>& grasp, const BestAnswer<2>& answer) {
