@@ -9,7 +9,7 @@
 namespace poise::test {
 namespace {
 
-CurveSettings random_settings() { return {.domain = one_in(3) ? Domain::pinched : Domain::all}; }
+CurveSettings random_settings() { return {.domain = one_in(3) ? Domain::pinching_up : Domain::all}; }
 
 bool moderate(const Grasp<2>& grasp, double effort) {
   return std::sqrt(effort) <= 1000 * grasp.weight();
@@ -96,7 +96,7 @@ RC_GTEST_PROP(BestPosture, PinchedIsTheLowestInteriorMinimumThatIs, ()) {
 
 RC_GTEST_PROP(BestPosture, PinchedDomainHasNoCradledMinimum, ()) {
   const Grasp<2> grasp = (*grasps()).grasp();
-  for (const Minimum<2>& minimum : best_posture(grasp, {.domain = Domain::pinched}).minima)
+  for (const Minimum<2>& minimum : best_posture(grasp, {.domain = Domain::pinching_up}).minima)
     RC_ASSERT(minimum.manner != Manner::cradled);
 }
 

@@ -253,7 +253,7 @@ TEST(DegenerateCurve, ForceCapEndsArcs) {
 
 TEST(DegenerateCurve, EndsOfThePinchedDomainAreBoundaries) {
   const Grasp<2> grasp = ring({45, 135}, 2);
-  const PostureCurve curve = posture_curve(grasp, {.domain = Domain::pinched});
+  const PostureCurve curve = posture_curve(grasp, {.domain = Domain::pinching_up});
   EXPECT_NEAR(curve.domain.from, -0.75 * pi, 1e-12);
   EXPECT_NEAR(curve.domain.to, 0.75 * pi, 1e-12);
   for (const double end : {curve.domain.from, curve.domain.to})

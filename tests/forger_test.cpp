@@ -39,7 +39,7 @@ PlanarFile random_planar_file() {
   file.contacts = held.contacts;
   file.loads = {held.object};
   if (one_in(2)) file.angle = random_angle();
-  if (one_in(3)) file.domain = Domain::pinched;
+  if (one_in(3)) file.domain = Domain::pinching_up;
   return file;
 }
 
@@ -77,7 +77,7 @@ Question random_question() {
     question.force_cap = any_of(std::vector<double>{1, 3, 100, 1e7});
   if (one_in(4)) question.safety = real(1, 3);
   if constexpr (Dim == 2) {
-    if (one_in(3)) question.domain = any_of(std::vector{Domain::all, Domain::pinched});
+    if (one_in(3)) question.domain = any_of(std::vector{Domain::all, Domain::pinching_up});
     if (one_in(2)) question.angle_deg = 180 / pi * random_angle();
   } else {
     if (question.command == Command::best) {

@@ -100,7 +100,7 @@ TEST(GraspFile, SaysWhatItSays) {
   EXPECT_EQ(file.name, "disk \u00e9/\U0001F600");
   EXPECT_EQ(file.safety, 1.25);
   EXPECT_DOUBLE_EQ(file.angle.value(), pi / 2);
-  EXPECT_EQ(file.domain, Domain::pinched);
+  EXPECT_EQ(file.domain, Domain::pinching_up);
   EXPECT_DOUBLE_EQ(file.loads[0].weight, 2 * 9.80665);
   EXPECT_TRUE(file.loads[0].com.isApprox(Vector<2>(0.01, -0.02)));
   EXPECT_DOUBLE_EQ(std::get<Disk>(file.shape.value()).radius, 1);

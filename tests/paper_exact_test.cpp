@@ -157,7 +157,7 @@ TEST(PaperExact, CaseListIsTheGeneralSolver) {
   std::array<int, 3> cases{};
   for (int k = 0; k < 100000; ++k) {
     const HeldDisk disk = random.any();
-    const Best<2> best = best_posture(grasp_of(disk), {.domain = Domain::pinched});
+    const Best<2> best = best_posture(grasp_of(disk), {.domain = Domain::pinching_up});
     std::vector<Optimum> found;
     for (const poise::Minimum<2>& posture : best.minima) found.push_back(posture.optimum);
     std::sort(found.begin(), found.end(),

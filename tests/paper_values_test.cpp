@@ -27,7 +27,7 @@ TEST(Paper, TableOfOptimaIsReproduced) {
     EXPECT_NEAR(study::theta_b(disk), theta_b, 1e-12);
     EXPECT_NEAR(alpha_bar(disk, theta_b), row.alpha_b, 5e-5);
 
-    const Best<2> best = best_posture(grasp_of(disk), {.domain = Domain::pinched});
+    const Best<2> best = best_posture(grasp_of(disk), {.domain = Domain::pinching_up});
     ASSERT_EQ(best.minima.size(), 3U);
     for (const double at : {-end, end}) {  // a and c
       const Optimum* optimum = minimum_at(best.proof.curve, at);
@@ -51,20 +51,20 @@ TEST(Paper, TableOfOptimaIsReproduced) {
 }
 
 TEST(Paper, OrderOfEqualMinimaIsPositiveFirst) {
-  const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinched});
+  const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinching_up});
   EXPECT_NEAR(best.best().optimum.angle, 105 * pi / 180, 1e-12);
   EXPECT_NEAR(best.minima[1].optimum.angle, -105 * pi / 180, 1e-12);
 }
 
 TEST(Paper, EndsOfTheRangeRestOnOneFinger) {
-  const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinched});
+  const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinching_up});
   EXPECT_EQ(best.best().manner, Manner::resting);
   EXPECT_FALSE(all_loaded(grasp_of(paper_table[5].disk), best.best().hold(), grasp_of(paper_table[5].disk).weight()));
 }
 
 TEST(Paper, ConeEdgesMeetOnTheVerticalThroughTheComAtB) {
   for (const PaperRow& row : paper_table) {
-    const Best<2> best = best_posture(grasp_of(row.disk), {.domain = Domain::pinched});
+    const Best<2> best = best_posture(grasp_of(row.disk), {.domain = Domain::pinching_up});
     ASSERT_TRUE(best.best_pinched() && best.best_pinched()->edges_meet);
     const Vector<2> point = *best.best_pinched()->edges_meet;
     EXPECT_NEAR(std::atan2(point.x(), point.y()), row.theta_b_deg * pi / 180, 1e-8);
@@ -79,7 +79,7 @@ TEST(Paper, ConeEdgesMeetOnTheVerticalThroughTheComAtB) {
 // Finding 3.
 TEST(Paper, Figure4cIsHeldAtTwoPosturesOnly) {
   const Grasp<2> grasp = grasp_of({.phi = pi / 4, .mu1 = 1, .mu2 = 1});
-  const Best<2> best = best_posture(grasp, {.domain = Domain::pinched});
+  const Best<2> best = best_posture(grasp, {.domain = Domain::pinching_up});
   ASSERT_EQ(best.minima.size(), 2U);
   EXPECT_NEAR(best.minima[0].optimum.angle, 0.75 * pi, 1e-12);
   EXPECT_NEAR(best.minima[1].optimum.angle, -0.75 * pi, 1e-12);
@@ -117,7 +117,7 @@ HeldDisk random_disk() {
 
 RC_GTEST_PROP(Paper, CurveOfThePinchingRangeIsTheClosedForm, ()) {
   const HeldDisk disk = random_disk();
-  const PostureCurve curve = posture_curve(grasp_of(disk), {.domain = Domain::pinched});
+  const PostureCurve curve = posture_curve(grasp_of(disk), {.domain = Domain::pinching_up});
   RC_ASSERT(std::abs(curve.domain.to - (pi - disk.phi)) < 1e-12);
   for (int i = 0; i < 5; ++i) {
     const double theta = (pi - disk.phi) * 0.999 * coordinate();
@@ -135,7 +135,7 @@ RC_GTEST_PROP(Paper, BIsAMinimumWhereTheSlopesDifferInSign, ()) {
   const double b = theta_b(disk), step = 1e-6;
   RC_ASSERT(std::abs(alphas(disk, b)[4] - alphas(disk, b)[5]) <=
             1e-9 * (alpha_bar(disk, b) + disk.weight));
-  const PostureCurve curve = posture_curve(grasp_of(disk), {.domain = Domain::pinched});
+  const PostureCurve curve = posture_curve(grasp_of(disk), {.domain = Domain::pinching_up});
   const double before = V(disk, b) - V(disk, b - step), after = V(disk, b + step) - V(disk, b);
   if (std::abs(before) < 1e-3 * step * V(disk, b) || std::abs(after) < 1e-3 * step * V(disk, b))
     return;  // flat: the optimum may be smooth, nearby

@@ -56,7 +56,7 @@ Real error(const Arc& arc, double theta, Real effort) {
   return off <= rounding(arc) ? 0 : off / effort;
 }
 
-CurveSettings random_settings() { return {.domain = one_in(4) ? Domain::pinched : Domain::all}; }
+CurveSettings random_settings() { return {.domain = one_in(4) ? Domain::pinching_up : Domain::all}; }
 
 /// A posture of the domain.
 double random_angle_of(const PostureCurve& curve) {
@@ -362,7 +362,7 @@ RC_GTEST_PROP(PostureCurve, MirroredGraspsHaveMirroredCurves, ()) {
 RC_GTEST_PROP(PostureCurve, DomainKeepsTheCurve, ()) {
   const Grasp<2> grasp = (*grasps()).grasp();
   const PostureCurve all = posture_curve(grasp);
-  const PostureCurve pinched = posture_curve(grasp, {.domain = Domain::pinched});
+  const PostureCurve pinched = posture_curve(grasp, {.domain = Domain::pinching_up});
   for (int i = 0; i < 5; ++i) {
     const double theta = random_angle_of(pinched);
     const Arc *a = arc_at(all, theta, margin), *b = arc_at(pinched, theta, margin);

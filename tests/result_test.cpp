@@ -167,7 +167,7 @@ TEST(ResultDocument, OfTheBestPostureHasThePromisedKeys) {
       "relative_gap", "worst", "arcs",         "unholdable_arcs", "holdable_arcs_deg"};
   for (const Grasp<2>& grasp : {disk(5 * pi / 12, 1, 1 / std::sqrt(3.0)), limited_disk()}) {
     const std::size_t contacts = grasp.contacts().size(), fingers = grasp.fingers().size();
-    for (const Domain domain : {Domain::all, Domain::pinched}) {
+    for (const Domain domain : {Domain::all, Domain::pinching_up}) {
       const CurveSettings settings{.domain = domain};
       const Json document = parsed(best_text(grasp, settings));
       EXPECT_EQ(keys(document), with(document_keys, best_keys));
@@ -252,7 +252,7 @@ TEST(ResultDocument, OfACheckSaysWhatWasUnderstood) {
       parsed(poise::document(file, grasp, CheckAnswer<2>{force_closure(grasp), {}}));
   EXPECT_EQ(keys(document), with(document_keys, {"name", "dimension", "safety", "angle_deg",
                                                  "domain", "weight", "com", "shape", "contacts",
-                                                 "force_closure", "cradled_deg", "warnings"}));
+                                                 "force_closure", "fork_deg", "warnings"}));
   EXPECT_EQ(document["weight"], standard_gravity);
   EXPECT_TRUE(document["angle_deg"].is_null());
   EXPECT_EQ(document["contacts"][0]["friction"], 2.0);

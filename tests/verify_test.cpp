@@ -66,7 +66,7 @@ void expect_confirmed(const PlanarFile& file, const Answer& answer) {
   RC_ASSERT(words(file, document(grasp, answer)) == "");
 }
 
-CurveSettings any_domain() { return {*rc::gen::element(Domain::all, Domain::pinched)}; }
+CurveSettings any_domain() { return {*rc::gen::element(Domain::all, Domain::pinching_up)}; }
 
 RC_GTEST_PROP(Verify, ConfirmsHolds, ()) {
   const Held held = *test::grasps();
@@ -183,7 +183,7 @@ TEST(Verify, RefusesEveryNumberThatIsOff) {
     expect_spoilt_refused(file, hold_text(file, file.angle.value_or(0.3)), file.loads[0].weight);
     expect_spoilt_refused(file, curve_text(file), file.loads[0].weight);
     expect_spoilt_refused(file, best_text(file), file.loads[0].weight);
-    expect_spoilt_refused(file, best_text(file, {Domain::pinched}), file.loads[0].weight);
+    expect_spoilt_refused(file, best_text(file, {Domain::pinching_up}), file.loads[0].weight);
   }
 }
 

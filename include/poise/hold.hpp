@@ -139,10 +139,6 @@ Vector<3> force_vector(const Contact<3>& contact, const ContactForce<3>& force);
 template <int Dim>
 std::vector<FingerForce<Dim>> finger_forces(const Hand<Dim>& hand, const Hold<Dim>& hold);
 
-/// How hard the hardest pressing finger presses: the largest normal force of a finger [N].
-template <int Dim>
-double grip_force(const Hand<Dim>& hand, const Hold<Dim>& hold);
-
 /// Whether every finger's normal force is above 1e-9 of the weight [N].
 template <int Dim>
 bool all_loaded(const Hand<Dim>& hand, const Hold<Dim>& hold, double weight);

@@ -106,8 +106,9 @@ struct PostureCurve {
   std::vector<Optimum> optima;
 };
 
-/// Planar postures to choose from: all of them, or those where the object is not cradled.
-enum class Domain { all, pinched };
+/// Planar postures to choose from: all of them, or the paper's range of pinching up: those outside
+/// the fork of the fingers, see fork_wedge().
+enum class Domain { all, pinching_up };
 
 /// Which postures to go through, and what still counts as a hold.
 struct CurveSettings {
@@ -117,7 +118,7 @@ struct CurveSettings {
   double present{0};                       ///< [rad]: of ties the least turn from it comes first
 };
 
-/// The postures to choose from: the whole circle, or the closed rest of the cradled wedge.
+/// The postures to choose from: the whole circle, or the closed rest of the fork.
 Interval domain_interval(const Grasp<2>& grasp, Domain domain);
 
 /// V(theta) or F*(theta) of every posture of the domain, with its minima and maxima, without

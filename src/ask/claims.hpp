@@ -24,7 +24,7 @@ inline Words words_of(ForceLimit) { return {"none", "min", "max"}; }
 inline Words words_of(Manner) { return {"resting", "cradled", "pinched"}; }
 inline Words words_of(Kind) { return {"boundary", "kink", "smooth"}; }
 inline Words words_of(Status) { return {"optimal", "gap", "unholdable"}; }
-inline Words words_of(Domain) { return {"all", "pinched"}; }
+inline Words words_of(Domain) { return {"all", "pinching-up"}; }
 inline Words words_of(Objective) { return {"grip", "effort"}; }
 inline Words words_of(Extremum) { return {"min", "max"}; }
 
@@ -119,7 +119,6 @@ struct HoldClaim {
   double effort{0}, force_norm{0}, residual{0};
   Manner manner{};
   bool all_loaded{false};
-  double grip_force{0};
   std::optional<double> grip{};  ///< null where fingers have no closing direction
   std::vector<DriveClaim> drives{};
   std::vector<FingerClaim<Dim>> fingers{};
@@ -136,7 +135,7 @@ struct HoldClaim {
     visit("lower_bound", lower_bound);
     if (!holdable) return visit("reason", reason);
     visit("effort", effort, "force_norm", force_norm, "residual", residual, "manner", manner);
-    visit("all_loaded", all_loaded, "grip_force", grip_force, "grip", grip, "drives", drives);
+    visit("all_loaded", all_loaded, "grip", grip, "drives", drives);
     visit("fingers", fingers, "contacts", contacts);
   }
 };
@@ -360,7 +359,7 @@ struct CheckDocument {
   // In the plane.
   std::optional<double> angle_deg{};
   Domain domain{};
-  std::optional<Interval> cradled{};
+  std::optional<Interval> fork{};
   // In space.
   std::optional<Vector<3>> up{};
   std::optional<Tilt> tilt{};

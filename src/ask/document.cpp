@@ -73,7 +73,6 @@ HoldClaim<Dim> hold_claim(const Hand<Dim>& hand, double weight, const Vector<Dim
   claim.residual = hold.residual;
   claim.manner = manner;
   claim.all_loaded = all_loaded(hand, hold, weight);
-  claim.grip_force = grip_force(hand, hold);
   const std::vector<FingerForce<Dim>> fingers = finger_forces(hand, hold);
   for (std::size_t k = 0; k < fingers.size(); ++k)
     claim.fingers.push_back(
@@ -385,8 +384,8 @@ std::string document(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
     result["contacts"].push_back(contact_value(contact));
   result["force_closure"] = answer.force_closure;
   if constexpr (Dim == 2) {
-    Interval cradled = answer.cradled;
-    result["cradled_deg"] = cradled.from < cradled.to ? json_of(cradled) : Json();
+    Interval fork = answer.fork;
+    result["fork_deg"] = fork.from < fork.to ? json_of(fork) : Json();
   }
   result["warnings"] = file.warnings;
   return json_text(result);

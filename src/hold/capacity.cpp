@@ -84,7 +84,6 @@ struct Question {
     if (!posture.holdable()) return posture;
     const Load<Dim> probed{.weight = weight, .com = load.com};
     posture.manner = poise::manner(hand, probed, up, posture.hold());
-    posture.grip_force = poise::grip_force(hand, posture.hold());
     return posture;
   }
 };

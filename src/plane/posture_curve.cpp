@@ -158,7 +158,7 @@ const char* to_string(Kind kind) {
 
 Interval domain_interval(const Grasp<2>& grasp, Domain domain) {
   if (domain == Domain::all) return {-pi, pi};
-  const Interval wedge = cradled_wedge(grasp, grasp.loads().front().com);
+  const Interval wedge = fork_wedge(grasp, grasp.loads().front().com);
   if (!(wedge.to > wedge.from)) return {-pi, pi};
   return wedge.to < pi ? Interval{wedge.to, wedge.from + 2 * pi}
                        : Interval{wedge.to - 2 * pi, wedge.from};

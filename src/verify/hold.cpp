@@ -51,7 +51,6 @@ void check_fingers(Verdict& verdict, const Path& place, const RealGrasp& grasp,
   const bool complete = hold.fingers.size() == grasp.fingers.size();
   verdict.check(place / "fingers", "there are as many fingers as the grasp has", complete);
   if (!complete) return;
-  Real hardest = 0;
   bool all_loaded = true, clear = true;
   for (std::size_t k = 0; k < hold.fingers.size(); ++k) {
     const FingerClaim<Dim>& finger = hold.fingers[k];
@@ -68,12 +67,9 @@ void check_fingers(Verdict& verdict, const Path& place, const RealGrasp& grasp,
     verdict.check(here / "pressing_force", "pressing_force is that along the closing direction",
                   std::abs(finger.pressing_force.value_or(0) - sum.force.dot(closing)),
                   rounding * sum.size);
-    hardest = std::max(hardest, sum.normal);
     if (is_beside(sum.normal, at_limit * load.weight, load.weight)) clear = false;
     all_loaded = all_loaded && sum.normal > at_limit * load.weight;
   }
-  verdict.check(place / "grip_force", "grip_force is the largest finger's normal force",
-                difference(hold.grip_force, hardest), rounding);
   verdict.check(place / "all_loaded", "all_loaded follows from the fingers",
                 !clear || hold.all_loaded == all_loaded);
   const Fork cradled = fork(grasp, load, real(hold.up));

@@ -68,7 +68,7 @@ void check_reading(Verdict& verdict, const Grasp<Dim>& grasp, const FileOf<Dim>*
     for_each_contact_field<Dim>([&](const char* name, auto member) {
       same((Path() / "contacts")[i], name, check.contacts[i].*member, grasp.contacts()[i].*member);
     });
-  for (const char* const key : {"name", "shape", "force_closure", "cradled_deg", "warnings"})
+  for (const char* const key : {"name", "shape", "force_closure", "fork_deg", "warnings"})
     verdict.unchecked(Path() / key, "follows from the file");
   if (file) {
     verdict.check(Path() / "safety", "safety is that of the file",

@@ -40,7 +40,7 @@ OWN_WORDS = {
     "bound",
     "capacity",
     "cradled",
-    "cradled_wedge",
+    "fork_wedge",
     "deciding",
     "drive_efforts",
     "finger_forces",

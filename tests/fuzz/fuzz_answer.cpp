@@ -26,7 +26,7 @@ Task task(Decoder& decoder) {
   Task task;
   task.file.loads = {decoder.object<2>()};
   if (decoder.coin()) task.file.safety = 1 + decoder.positive();
-  task.settings.domain = decoder.coin() ? Domain::all : Domain::pinched;
+  task.settings.domain = decoder.coin() ? Domain::all : Domain::pinching_up;
   if (decoder.coin()) task.settings.force_cap = std::min(1e9, 10 * decoder.positive());
   task.file.contacts =
       decoder.contacts(task.file.loads[0], 12, [&] { return up_at(decoder.angle()); });

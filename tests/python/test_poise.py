@@ -209,7 +209,7 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertEqual(grasp.object.weight, expected["weight"])
         self.assertEqual(grasp.object.com.tolist(), expected["com"])
         self.assertEqual(poise.force_closure(grasp), expected["force_closure"])
-        wedge = poise.cradled_wedge(grasp)
+        wedge = poise.fork_wedge(grasp)
         np.testing.assert_allclose(np.degrees([wedge.from_, wedge.to]), expected["cradled_deg"])
         for contact, shown in zip(grasp.contacts, expected["contacts"]):
             self.assertEqual(contact.finger, shown["finger"])
@@ -412,7 +412,7 @@ class Curves(unittest.TestCase):
 
     def test_domains(self):
         grasp = disk()
-        wedge = poise.cradled_wedge(grasp)
+        wedge = poise.fork_wedge(grasp)
         domain = poise.domain_interval(grasp, poise.Domain.pinched)
         self.assertAlmostEqual(wedge.to - wedge.from_ + domain.to - domain.from_, 2 * math.pi)
         curve = poise.posture_curve(grasp, domain=poise.Domain.pinched)

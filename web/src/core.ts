@@ -111,7 +111,7 @@ interface AnyCheck<P, Shape> {
 export interface Check extends AnyCheck<Point, PlanarShape> {
   weight: number;
   com: Point;
-  cradled_deg: Range | null;
+  fork_deg: Range | null;
 }
 
 export interface SpatialCheck extends AnyCheck<Vec, SpatialShape> {

@@ -153,7 +153,7 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
     this.scene.draw();
     this.boxes.bounds.disabled = !asPaper(answers.grasp) || this.plot.view.squared;
     this.boxes.bounds.parentElement!.hidden = !asPaper(answers.grasp);
-    find('key-cradled').hidden = !answers.check.cradled_deg;
+    find('key-cradled').hidden = !answers.check.fork_deg;
     find('key-unholdable').hidden = !answers.best.unholdable_arcs.length;
     this.plot.draw();
     this.controls.draw();

@@ -66,7 +66,7 @@ function stillHolds({ weight, holdable, greatest_weight, friction_factor }: Marg
 }
 
 const leftOut = ({ best, check }: PlanarAnswers, angle: number) =>
-  best.options.domain === 'pinched' && check.cradled_deg !== null && contains(check.cradled_deg, angle);
+  best.options.domain === 'pinched' && check.fork_deg !== null && contains(check.fork_deg, angle);
 
 function further(answers: PlanarAnswers, angle: number, hold: Held<Point>, optimum: Optimum | undefined): string {
   // In newtons of force norm per degree: d sqrt(V) = dV / (2 sqrt(V)).

@@ -25,7 +25,7 @@ std::string caption(const Grasp<Dim>& grasp, const NamedPosture<Dim>& shown) {
                                  : "") +
          posture_words(posture.up) + ": " +
          (posture.holdable()
-              ? "grip force " + newtons(posture.grip_force) + ", " + to_string(posture.manner)
+              ? least_text(grasp, posture) + ", " + to_string(posture.manner)
               : "cannot be held") +
          scenario_text(grasp, posture.decides);
 }

@@ -115,8 +115,9 @@ std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                            const std::vector<const CapacityAt<Dim>*>& loads, double safety,
                            const Style& style) {
   const auto given = [&](const CapacityAt<Dim>& at) { return grasp.loads()[at.load].weight; };
-  const auto force = [](const CapacityAt<Dim>& at) {
-    return at.capacity.safe.holdable() ? at.capacity.safe.grip_force : HUGE_VAL;
+  const auto force = [&](const CapacityAt<Dim>& at) {
+    const Posture<Dim>& safe = at.capacity.safe;
+    return safe.holdable() ? grip_of<Dim>(grasp, safe).value_or(0) : HUGE_VAL;
   };
   const CapacityAt<Dim>& heaviest = most(loads, [&](const CapacityAt<Dim>& at) {
     const WeightRange<Dim>& range = at.capacity.weights;
