@@ -21,5 +21,5 @@ for arc in curve.arcs:
 for optimum in curve.optima:
     print(
         f"{'maximum' if optimum.maximum else 'minimum'} at {degrees(optimum.angle):.2f}: "
-        f"V = {optimum.effort:.2f}, {optimum.kind.value}"
+        f"V = {optimum.value:.2f}, {optimum.kind.value}"
     )

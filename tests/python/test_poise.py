@@ -82,7 +82,7 @@ class AgainstTheProgram(unittest.TestCase):
         )
         self.assertEqual(posture.manner.value, expected["manner"])
         self.assertEqual(posture.optimum.kind.value, expected["kind"])
-        self.assertEqual(poise.grip_force(grasp, hold), expected["grip_force"])
+        self.assertEqual(poise.grip(grasp, hold), expected["grip"])
         for force, contact in zip(hold.forces, expected["contacts"]):
             self.assertEqual(force.normal, contact["normal_force"])
             self.assertEqual(force.tangential, contact["tangential_force"])
@@ -134,7 +134,7 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertEqual(hold.lower_bound, expected["lower_bound"])
         self.assertEqual(hold.dual.tolist(), expected["dual"])
         self.assertEqual(posture.manner.value, expected["manner"])
-        self.assertEqual(poise.grip_force(grasp, hold), expected["grip_force"])
+        self.assertEqual(poise.grip(grasp, hold), expected["grip"])
         if len(grasps) > 1:
             self.assertEqual(posture.scenario, expected["scenario"])
             self.assertEqual(posture.scenario_efforts, expected["scenario_efforts"])
@@ -236,7 +236,7 @@ class Paper(unittest.TestCase):
         ]
         for phi, mu1, mu2, degrees, effort in rows:
             grasp = disk(mu1, mu2, phi)
-            best = poise.best_posture(grasp, domain=poise.Domain.pinched)
+            best = poise.best_posture(grasp, domain=poise.Domain.pinching_up)
             efforts = {
                 round(math.degrees(posture.optimum.angle), 6): posture.hold.effort
                 for posture in best.minima
@@ -396,7 +396,7 @@ class Holding(unittest.TestCase):
     def test_forces_of_another_grasp(self):
         hold = poise.hold(random_grasp(np.random.default_rng(1), 20), [0, 1])
         with self.assertRaises(poise.InvalidGrasp):
-            poise.grip_force(disk(), hold)
+            poise.grip(disk(), hold)
 
 
 class Curves(unittest.TestCase):
@@ -413,9 +413,9 @@ class Curves(unittest.TestCase):
     def test_domains(self):
         grasp = disk()
         wedge = poise.fork_wedge(grasp)
-        domain = poise.domain_interval(grasp, poise.Domain.pinched)
+        domain = poise.domain_interval(grasp, poise.Domain.pinching_up)
         self.assertAlmostEqual(wedge.to - wedge.from_ + domain.to - domain.from_, 2 * math.pi)
-        curve = poise.posture_curve(grasp, domain=poise.Domain.pinched)
+        curve = poise.posture_curve(grasp, domain=poise.Domain.pinching_up)
         self.assertEqual(curve.domain.from_, domain.from_)
         self.assertEqual(curve.optima[0].kind, poise.Kind.boundary)
         self.assertEqual(len(curve.states), 2 * len(curve.arcs))
@@ -438,7 +438,7 @@ class Curves(unittest.TestCase):
         self.assertEqual(again.hold.effort, best.hold.effort)
 
     def test_edges_meet_above_the_centre_of_mass(self):
-        best = poise.best_posture(disk(), domain=poise.Domain.pinched).best_pinched
+        best = poise.best_posture(disk(), domain=poise.Domain.pinching_up).best_pinched
         self.assertTrue(best.two_slipping)
         up = poise.up_at(best.optimum.angle)
         self.assertAlmostEqual(np.cross(best.edges_meet, up), 0)
@@ -669,7 +669,7 @@ class Verify(unittest.TestCase):
         tilt = poise.Tilt([0, 0, 1], 0.5)
         for grasp, settings in [
             (disk(), {}),
-            (disk(), {"domain": poise.Domain.pinched}),
+            (disk(), {"domain": poise.Domain.pinching_up}),
             (random_grasp(rng, 3), {}),
             (random_spatial_grasp(rng, 4), {}),
             (random_spatial_grasp(rng, 4), {"gap": 1e-2, "tilt": tilt}),
@@ -737,7 +737,7 @@ class Records(unittest.TestCase):
         for flags, options in [
             ([], {}),
             (["--gap", "1e-2", "--max-holds", "20"], {"gap": 1e-2, "max_holds": 20}),
-            (["--domain", "pinched"], {"domain": poise.Domain.pinched}),
+            (["--domain", "pinching-up"], {"domain": poise.Domain.pinching_up}),
             (["--what", "hold", "--up", "1,-2,0.5"], {"hold": True, "up": [1, -2, 0.5]}),
             (["--what", "hold", "--angle", "20"], {"hold": True, "angle_deg": 20}),
         ]:
@@ -780,7 +780,7 @@ class Files(unittest.TestCase):
             name="alles",
             safety=1.5,
             angle=0.5,
-            domain=poise.Domain.pinched,
+            domain=poise.Domain.pinching_up,
             shape=poise.Ellipse([1, 2]),
         )
         again = poise.from_dict(poise.to_dict(file))
@@ -935,7 +935,7 @@ class Misuse(unittest.TestCase):
         self.check("grasp", poise.best_posture, [planar, planar])
         self.check("grasp", poise.plot, [spatial, planar])
         self.check("tilt", poise.best_posture, planar, tilt=poise.Tilt([0, 0, 1], 0.5))
-        self.check("domain", poise.best_posture, spatial, domain=poise.Domain.pinched)
+        self.check("domain", poise.best_posture, spatial, domain=poise.Domain.pinching_up)
         self.check("hold", poise.grip_force, planar, poise.hold(spatial, [0, 0, 1]))
         self.check("ups[0]", poise.hold_many, spatial, [[0, 1], [1, 0]])
         self.check("gap", poise.best_posture, spatial, gap=0)

@@ -32,7 +32,8 @@ export interface Held<P> extends Posture<P> {
   effort: number;
   force_norm: number;
   manner: Manner;
-  grip_force: number;
+  /** Null where a finger has no closing direction. */
+  grip: number | null;
   fingers: { finger: string; normal_force: number; force: P }[];
   contacts: ContactForce<P>[];
 }
