@@ -126,24 +126,11 @@ void check_drives(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                 std::abs(*hold.grip - grip), rounding * size);
 }
 
-/// Those of a claim, where they can be rates of the grasp's drives.
-template <int Dim>
-std::optional<std::vector<Real>> rates_of(Verdict& verdict, const Path& place,
-                                          const RealGrasp& grasp, const HoldClaim<Dim>& hold) {
-  std::vector<Real> rates;
-  if (hold.rates) rates.assign(hold.rates->begin(), hold.rates->end());
-  bool right = rates.empty() || rates.size() == grasp.drives.size();
-  for (std::size_t a = 0; a < rates.size() && right; ++a)
-    right = rates[a] >= 0 && std::isfinite(rates[a]);
-  verdict.check(place / "rates", "rates are of the drives, and at least 0", right);
-  return right ? std::optional(rates) : std::nullopt;
-}
-
 /// Checks that (y, rates) prove the lower bound of the grip.
 template <int Dim>
 void check_grip_bound(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                       const RealLoad& load, const HoldClaim<Dim>& hold, Real force_cap) {
-  const auto rates = rates_of(verdict, place, grasp, hold);
+  const auto rates = real_rates(verdict, place, grasp, hold.rates);
   if (!rates) return;
   Real sum = 0;
   for (const Real rate : *rates) sum += rate;
@@ -263,6 +250,31 @@ const RealLoad& deciding_load(const RealGrasp& grasp, const HoldClaim<Dim>& hold
 
 }  // namespace
 
+Real little(const RealGrasp& grasp, std::optional<Objective> objective) {
+  if (objective != Objective::grip) return 0;
+  Real least = infinity;
+  for (const RealDrive& drive : grasp.drives) {
+    const Real length = drive.turns ? grasp.loads.front().radius : 1;
+    least = std::min(least, grasp.greatest_weight() * length / grasp.unit(drive));
+  }
+  return 1e-3L * least;
+}
+
+Real difference(Real a, Real b, Real little) {
+  return a == b ? 0 : std::abs(a - b) / std::max({std::abs(a), std::abs(b), little});
+}
+
+std::optional<std::vector<Real>> real_rates(Verdict& verdict, const Path& place,
+                                            const RealGrasp& grasp,
+                                            const std::optional<std::vector<double>>& given) {
+  std::vector<Real> rates;
+  if (given) rates.assign(given->begin(), given->end());
+  bool right = rates.empty() || rates.size() == grasp.drives.size();
+  for (const Real rate : rates) right = right && rate >= 0 && std::isfinite(rate);
+  verdict.check(place / "rates", "rates are of the drives, and at least 0", right);
+  return right ? std::optional(rates) : std::nullopt;
+}
+
 const RealLoad& load_of(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                         std::size_t scenario) {
   const bool known = scenario < grasp.loads.size();
@@ -292,7 +304,7 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
     verdict.unchecked(place / "reason", "is in words");
     return;
   }
-  const auto rates = rates_of(verdict, place, grasp, hold);
+  const auto rates = real_rates(verdict, place, grasp, hold.rates);
   if (!rates) return;
   // The cap is not enough for any load within the tolerance of the balance. A dual so long that its
   // own rounding keeps it from proving that may be shorter.
@@ -323,15 +335,11 @@ void check_least_hold(Verdict& verdict, const Path& place, const RealGrasp& gras
   if (hold.objective == Objective::grip) {
     check_grip_bound(verdict, place, grasp, deciding_load(grasp, hold), hold, force_cap);
     const Real grip = hold.grip.value_or(0);
-    Real least = 1e-3L * grasp.greatest_weight();  // of what is looked at closely
-    if (grasp.in_parts)
-      for (const RealDrive& drive : grasp.drives) least = std::min(least, least / drive.max);
-    const Real unit = std::max(grip, least);
     verdict.check(place / "lower_bound", "grip is the least: it is the lower_bound [of grip]",
-                  std::abs(grip - hold.lower_bound) / unit, 1e-6L);
+                  difference(grip, hold.lower_bound, little(grasp, Objective::grip)), 1e-6L);
     return;
   }
-  if (!rates_of(verdict, place, grasp, hold)) return;
+  if (!real_rates(verdict, place, grasp, hold.rates)) return;
   const DualValue dual = dual_value(grasp, deciding_load(grasp, hold), hold);
   const Path of_bound = place / "lower_bound";
   const Real above = hold.lower_bound - dual.bound;

@@ -104,11 +104,30 @@ struct Checker {
     else
       verdict.note("Whether up is the posture of the file is not known here.");
   }
-  void operator()(const BestDocument<Dim>& best) { check_best(verdict, grasp, best); }
+  void operator()(const BestDocument<Dim>& best) {
+    check_best(verdict, grasp, best);
+    check_present(best.options);
+  }
   void operator()(const CapacityDocument<Dim>& capacity) {
     check_capacity(verdict, grasp, capacity, now);
   }
-  void operator()(const CurveDocument& curve) { check_curve(verdict, grasp, curve); }
+  void operator()(const CurveDocument& curve) {
+    check_curve(verdict, grasp, curve);
+    check_present(curve.options);
+  }
+
+ private:
+  /// Checks that of ties the nearest to the file's posture was asked for.
+  void check_present(const OptionsClaim& options) {
+    if (!options.present_deg) return;
+    const Path place = Path() / "options" / "present_deg";
+    if (now.known)
+      verdict.check(place, "present_deg is the posture of the file, or 0",
+                    (up_at(radians_of(*options.present_deg)) - now.up.value_or(upright(2))).norm(),
+                    rounding);
+    else
+      verdict.unchecked(place, "is of the file, which is not at hand");
+  }
 };
 
 template <int Dim>

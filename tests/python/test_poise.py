@@ -210,7 +210,7 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertEqual(grasp.object.com.tolist(), expected["com"])
         self.assertEqual(poise.force_closure(grasp), expected["force_closure"])
         wedge = poise.fork_wedge(grasp)
-        np.testing.assert_allclose(np.degrees([wedge.from_, wedge.to]), expected["cradled_deg"])
+        np.testing.assert_allclose(np.degrees([wedge.from_, wedge.to]), expected["fork_deg"])
         for contact, shown in zip(grasp.contacts, expected["contacts"]):
             self.assertEqual(contact.finger, shown["finger"])
             self.assertEqual(contact.position.tolist(), shown["position"])
