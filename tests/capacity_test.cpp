@@ -454,8 +454,9 @@ TEST(CapacityOfDrives, OfThreeFingersIsThatOfAll) {
 
 // In one finger all contacts share what the drive gives; own limits count too.
 TEST(CapacityOfDrives, CountsLimitsOfContactsAsWell) {
-  std::vector<Contact<3>> contacts = two_jaws(0.5);
-  contacts.push_back(jaw({-0.02, 0, 0.01}, {1, 0, 0}, 0.5, "left"));
+  std::vector<Contact<3>> contacts = {jaw({-0.02, 0, 0.01}, {1, 0, 0}, 0.5, "left"),
+                                      jaw({0.02, 0, 0}, {-1, 0, 0}, 0.5, "right"),
+                                      jaw({-0.02, 0, -0.01}, {1, 0, 0}, 0.5, "left")};
   for (Contact<3>& contact : contacts) contact.max_normal = 8;
   contacts[1].max_normal = infinity;
   const auto greatest = [&](double most) {

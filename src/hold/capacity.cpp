@@ -331,8 +331,13 @@ class WeightSearch {
     } else if (!asked_.limited) {
       greatest_ = asked_.hold(asked_.hand.scaled(), asked_.load.weight);
     } else {
+      const Hand<Dim>& hand = asked_.hand;
+      std::vector<Contact<Dim>> contacts = hand.contacts();
+      for (Contact<Dim>& contact : contacts) contact.min_normal = 0;
       const Load<Dim> given{.weight = asked_.load.weight, .com = asked_.load.com};
-      const LeastPart<Dim> least = least_part(asked_.hand, 1, given.at(asked_.up), given.weight);
+      const LeastPart<Dim> least =
+          least_part(Hand<Dim>(std::move(contacts), hand.center(), 1, hand.mechanism()), 1,
+                     given.at(asked_.up), given.weight);
       if (least.state == dual::Balance<Dim>::State::held &&
           least.part * strength_ <= nothing * given.weight)
         greatest_ = hold_without_limits(asked_);

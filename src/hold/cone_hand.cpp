@@ -286,7 +286,6 @@ LeastPart<Dim> least_part(const Hand<Dim>& hand, double friction_factor, const W
                        parts + static_cast<std::ptrdiff_t>(cone.last));
     cone.first = cones.parts.size() - (cone.last - cone.first);
     cone.last = cones.parts.size();
-    cone.lo = 0;
     cone.hi = infinity;
     if (std::isfinite(contact.max_normal)) {
       for (dual::ConeDrive<Dim>& drive : cones.drives)

@@ -23,13 +23,14 @@ void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Di
                    const dual::Balance<Dim>& balance, Hold<Dim>& hold);
 
 /// How much of their limits drives and contacts use at least: the greatest part of `max` or
-/// `max_normal` that any of them gives, as if no contact had a min_normal.
+/// `max_normal` that any of them gives.
 template <int Dim>
 struct LeastPart {
   typename dual::Balance<Dim>::State state;  ///< open: all the same (y, rates) may prove something
   double part;
-  /// sum of rates . max + what contacts with max_normal can do >= y . load / part, y about the
-  /// object frame's origin.
+  /// For all parts p with which the load is balanced,
+  /// p (sum of rates . max + what contacts with max_normal can do) + what those with min_normal
+  /// must do >= y . load, y about the object frame's origin.
   Twist<Dim> y;
   SmallVector<double, 4> rates;  ///< of the drives, per newton or newton metre of max
 };
