@@ -187,6 +187,7 @@ CurveAnswer curve(const PlanarFile& file, const Grasp<2>& grasp, const Question&
 }
 
 std::optional<Vector<2>> best_up(const PlanarFile& file, const Grasp<2>& grasp, double force_cap) {
+  if (grasp.is_general()) return {};  // its curve is not known
   const Best<2> best = best_posture(grasp, {.domain = file.domain, .force_cap = force_cap});
   return best.holdable() ? std::optional(best.best().up) : std::nullopt;
 }
@@ -194,6 +195,7 @@ std::optional<Vector<2>> best_up(const PlanarFile& file, const Grasp<2>& grasp, 
 std::optional<Vector<3>> best_up(const SpatialFile& file, const Grasp<3>& grasp, double force_cap) {
   SpatialSettings settings;
   settings.force_cap = force_cap;
+  settings.objective = file.objective;
   settings.tilt = file.tilt;
   settings.starts = 0;
   const Best<3> best = best_posture(grasp, settings);
