@@ -284,6 +284,13 @@ struct DecidingClaim : Deciding {
   }
 };
 
+struct DecidingDriveClaim {
+  std::string name;
+  double per_newton{0};  ///< of its max, or per newton metre
+
+  void fields(auto& visit) { visit("name", name, "per_newton", per_newton); }
+};
+
 /// The weights that can be held.
 template <int Dim>
 struct WeightClaim {
@@ -292,20 +299,25 @@ struct WeightClaim {
   bool any{false};  ///< any weight, however great
   std::optional<double> greatest{}, greatest_bound{};
   Twist<Dim> greatest_dual;
+  std::optional<std::vector<double>> greatest_rates{};  ///< of the drives, where any has a max
   std::optional<double> least{};
   double least_bound{0};
   Twist<Dim> least_dual;
+  std::optional<std::vector<double>> least_rates{};
   std::optional<HoldClaim<Dim>> greatest_hold{}, least_hold{};
   std::vector<DecidingClaim> contacts{};
+  std::vector<DecidingDriveClaim> drives{};
 
   void fields(auto& visit) {
     visit("given", given, "holdable", holdable, "any", any, "greatest", greatest);
     visit("greatest_bound", greatest_bound, "greatest_dual", greatest_dual);
+    visit.maybe("greatest_rates", greatest_rates);
     visit("least", least, "least_bound", least_bound, "least_dual", least_dual);
+    visit.maybe("least_rates", least_rates);
     if (!holdable) return;
     visit("greatest_hold", greatest_hold);
     visit.maybe("least_hold", least_hold);
-    visit("contacts", contacts);
+    visit("contacts", contacts, "drives", drives);
   }
 };
 
@@ -315,9 +327,14 @@ struct FrictionClaim {
   std::optional<double> factor{};
   double bound{0};
   Twist<Dim> dual;
+  std::optional<std::vector<double>> rates{};  ///< of the drives, where any has a max
   std::optional<HoldClaim<Dim>> hold{};
 
-  void fields(auto& visit) { visit("factor", factor, "bound", bound, "dual", dual, "hold", hold); }
+  void fields(auto& visit) {
+    visit("factor", factor, "bound", bound, "dual", dual);
+    visit.maybe("rates", rates);
+    visit("hold", hold);
+  }
 };
 
 /// What a gripper can hold in a posture, against one load.

@@ -17,6 +17,12 @@ std::optional<double> finite(double number) {
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+/// None are left out.
+std::optional<std::vector<double>> some(const SmallVector<double, 4>& rates) {
+  if (rates.empty()) return {};
+  return std::vector<double>(rates.begin(), rates.end());
+}
+
 template <int Dim>
 std::vector<ContactClaim<Dim>> contact_claims(const Hand<Dim>& hand, const Hold<Dim>& hold) {
   std::vector<ContactClaim<Dim>> claims(hold.forces.size());
@@ -62,7 +68,7 @@ HoldClaim<Dim> hold_claim(const Hand<Dim>& hand, double weight, const Vector<Dim
   if constexpr (Dim == 2) claim.angle_deg = degrees(angle_of(up));
   claim.objective = hold.objective;
   claim.dual = hold.dual;
-  if (!hold.rates.empty()) claim.rates.emplace(hold.rates.begin(), hold.rates.end());
+  claim.rates = some(hold.rates);
   claim.lower_bound = hold.lower_bound;
   if (!hold.holdable) {
     claim.reason = reason(hand, hold);
@@ -202,8 +208,10 @@ WeightClaim<Dim> weight_claim(const Hand<Dim>& hand, const Load<Dim>& load,
                          .any = range.holdable && std::isinf(greatest.weight),
                          .greatest_bound = finite(greatest.bound),
                          .greatest_dual = greatest.dual,
+                         .greatest_rates = some(greatest.rates),
                          .least_bound = least.bound,
-                         .least_dual = least.dual};
+                         .least_dual = least.dual,
+                         .least_rates = some(least.rates)};
   if (!range.holdable) return claim;
   claim.greatest = finite(greatest.weight);
   claim.least = least.weight;
@@ -211,13 +219,17 @@ WeightClaim<Dim> weight_claim(const Hand<Dim>& hand, const Load<Dim>& load,
   if (least.weight > 0) claim.least_hold = hold_claim(hand, least.weight, least.posture);
   for (std::size_t i = 0; i < range.deciding.size(); ++i)
     claim.contacts.push_back({range.deciding[i], hand.contacts()[i].finger});
+  const std::vector<Drive<Dim>> drives = hand.drives();
+  for (std::size_t a = 0; a < range.deciding_drives.size(); ++a)
+    claim.drives.push_back({drives[a].name, range.deciding_drives[a]});
   return claim;
 }
 
 template <int Dim>
 FrictionClaim<Dim> friction_claim(const Hand<Dim>& hand, const Load<Dim>& load,
                                   const LeastFriction<Dim>& friction) {
-  FrictionClaim<Dim> claim{finite(friction.factor), friction.bound, friction.dual};
+  FrictionClaim<Dim> claim{finite(friction.factor), friction.bound, friction.dual,
+                           some(friction.rates)};
   if (claim.factor) claim.hold = hold_claim(hand, load.weight, friction.posture);
   return claim;
 }
@@ -356,6 +368,7 @@ CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Di
   claim.options = {
       .force_cap = answer.force_cap, .safety = answer.safety, .angle_deg = answer.option.angle_deg};
   if (!answer.option.up.empty()) claim.options.up = answer.option.up;
+  const Hand<Dim> safe(grasp.contacts(), grasp.center(), answer.safety, grasp.mechanism());
   for (const CapacityAt<Dim>& at : answer.capacities) {
     const Load<Dim>& load = grasp.loads()[at.load];
     CapacityClaim<Dim> capacity{.posture = at.posture, .up = at.up};
@@ -363,7 +376,7 @@ CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Di
     if (grasp.loads().size() > 1) capacity.scenario = at.load;
     capacity.weight = weight_claim<Dim>(grasp, load, at.capacity.weights);
     capacity.friction = friction_claim<Dim>(grasp, load, at.capacity.friction);
-    capacity.command = hold_claim<Dim>(grasp, load.weight, at.capacity.safe);
+    capacity.command = hold_claim<Dim>(safe, load.weight, at.capacity.safe);
     claim.capacities.push_back(std::move(capacity));
   }
   return claim;

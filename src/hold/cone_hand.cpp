@@ -263,12 +263,64 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
   return hold;
 }
 
-#define POISE_INSTANTIATE(Dim)                                                            \
-  template dual::ConeHand<Dim> cone_hand(const Hand<Dim>&, double, dual::Wanted, double); \
-  template double scaled_grip(const Hand<Dim>&, double);                                  \
-  template void write_balance(const Hand<Dim>&, double, const dual::ConeHand<Dim>&,       \
-                              const dual::Balance<Dim>&, Hold<Dim>&);                     \
-  template Hold<Dim> general_hold(const Hand<Dim>&, double, const Wrench<Dim>&, double,   \
+/// A contact's limit is that of a drive that moves it alone along its normal. So all limits are
+/// those of drives, counted in parts, and what is asked for is the least grip.
+template <int Dim>
+LeastPart<Dim> least_part(const Hand<Dim>& hand, double friction_factor, const Wrench<Dim>& load,
+                          double weight) {
+  const ScaledHand<Dim>& scaled = hand.scaled();
+  const dual::ConeHand<Dim> given = cone_hand(hand, weight, dual::Wanted::effort, friction_factor);
+  dual::ConeHand<Dim> cones{given.fingers, {}, {}, given.drives};
+  double least_max = infinity;  // F is counted in this, to be of the size of the load
+  for (const dual::ConeDrive<Dim>& drive : given.drives) least_max = std::min(least_max, drive.max);
+  for (const Contact<Dim>& contact : hand.contacts())
+    if (contact.max_normal > 0) least_max = std::min(least_max, contact.max_normal / weight);
+  for (dual::ConeDrive<Dim>& drive : cones.drives)
+    for (auto& moved : drive.moved) moved.twist *= least_max / drive.max;
+  for (std::size_t i = 0; i < given.contacts.size(); ++i) {
+    const Contact<Dim>& contact = hand.contacts()[i];
+    if (contact.max_normal == 0) continue;
+    ConeContact<Dim> cone = given.contacts[i];
+    const auto parts = given.parts.begin();
+    cones.parts.insert(cones.parts.end(), parts + static_cast<std::ptrdiff_t>(cone.first),
+                       parts + static_cast<std::ptrdiff_t>(cone.last));
+    cone.first = cones.parts.size() - (cone.last - cone.first);
+    cone.last = cones.parts.size();
+    cone.hi = infinity;
+    if (std::isfinite(contact.max_normal)) {
+      for (dual::ConeDrive<Dim>& drive : cones.drives)
+        for (std::size_t k = drive.moved.size(); k-- > 0;)
+          if (drive.moved[k].finger == cone.finger)
+            drive.moved.push_back({cones.fingers, drive.moved[k].twist});
+      cone.finger = cones.fingers++;
+      Twist<Dim> along = Twist<Dim>::Zero();
+      along.template head<Dim>() = least_max * weight / contact.max_normal * contact.normal;
+      cones.drives.push_back({{{cone.finger, along}}, 0});
+    }
+    cones.contacts.push_back(cone);
+  }
+  const dual::Balance<Dim> found =
+      dual::balance(cones, scaled_wrench(scaled, weight, load), dual::Wanted::grip);
+  LeastPart<Dim> least{
+      found.state, found.value / least_max, about_origin(scaled, 1 / weight, found.y), {}};
+  const std::vector<Drive<Dim>> drives = hand.drives();
+  least.rates.resize(drives.size());
+  std::size_t limited = 0;
+  for (std::size_t a = 0; a < drives.size(); ++a) {
+    const bool is_limited = std::isfinite(drives[a].max);
+    const double rate = is_limited ? found.rates[limited++] * least_max / drives[a].max : 0;
+    least.rates[a] = found.state == dual::Balance<Dim>::State::not_held ? 0 : rate;
+  }
+  return least;
+}
+
+#define POISE_INSTANTIATE(Dim)                                                              \
+  template dual::ConeHand<Dim> cone_hand(const Hand<Dim>&, double, dual::Wanted, double);   \
+  template double scaled_grip(const Hand<Dim>&, double);                                    \
+  template void write_balance(const Hand<Dim>&, double, const dual::ConeHand<Dim>&,         \
+                              const dual::Balance<Dim>&, Hold<Dim>&);                       \
+  template LeastPart<Dim> least_part(const Hand<Dim>&, double, const Wrench<Dim>&, double); \
+  template Hold<Dim> general_hold(const Hand<Dim>&, double, const Wrench<Dim>&, double,     \
                                   const HoldSettings&);
 POISE_INSTANTIATE(2)
 POISE_INSTANTIATE(3)

@@ -211,11 +211,13 @@ RealGrasp with_friction(RealGrasp grasp, Real factor) {
 }
 
 WeightBound weight_bound(const RealGrasp& grasp, const RealLoad& load, const Vec& up, const Vec& y,
-                         Real cap) {
+                         const std::vector<Real>& rates, Real cap) {
   WeightBound bound{0, -y.dot(load.fixed)};
+  for (std::size_t a = 0; a < rates.size(); ++a)
+    if (rates[a] > 0) bound.fixed += rates[a] * grasp.drives[a].max;
   Real squared = 0;
   for (const RealContact& contact : grasp.contacts) {
-    const Vec z = contact.G.transpose() * y;
+    const Vec z = contact.G.transpose() * against(grasp, contact.finger, y, rates);
     // What a force with normal force 1 can do against y at most.
     const Real power = z[0] + contact.friction * z.tail(z.size() - 1).norm();
     if (std::isfinite(contact.most)) {

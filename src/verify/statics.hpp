@@ -61,6 +61,7 @@ struct RealGrasp {
   std::vector<Vec> closing;          ///< of the fingers; zero where it is not known
   std::vector<RealDrive> drives;     ///< none where fingers without a closing direction have them
   bool in_parts{false};              ///< grip is told in parts of the drives' max
+  bool within_max{true};             ///< whether the drives' max limits what they give
 
   /// What the grip counts of a drive's effort as 1.
   Real unit(const RealDrive& drive) const { return in_parts ? drive.max : 1; }
@@ -115,6 +116,6 @@ struct WeightBound {
   Real gain{0}, fixed{0};
 };
 WeightBound weight_bound(const RealGrasp& grasp, const RealLoad& load, const Vec& up, const Vec& y,
-                         Real cap);
+                         const std::vector<Real>& rates, Real cap);
 
 }  // namespace poise::verify
