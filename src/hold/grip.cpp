@@ -19,7 +19,7 @@ constexpr double room = 1e-8;
 /// Of forces that are as good as balanced, and of a value as good as proven.
 constexpr double most_error = 1e-6;
 /// An imbalance [weights] that is as good as none, and one that is not.
-constexpr double fair = 1e-12, balanced = 1e-9;
+constexpr double fair = 1e-10, balanced = 1e-9;
 
 /// Those of the fingers, about the object frame's origin [N, N m].
 template <int Dim>
@@ -189,11 +189,12 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
     if (!hold.holdable) return hold;
   }
 
-  // Of the forces of this grip those of least effort.
+  // Of the forces of this grip those of least effort, but for digits that nobody needs.
   dual::Balance<Dim> forces = least;
   for (dual::ConeDrive<Dim>& drive : cones.drives) drive.max = least.value * (1 + room) + 1e-12;
-  if (dual::Balance<Dim> found = dual::balance(cones, w, dual::Wanted::effort);
-      found.state == State::held && found.residual.norm() <= std::max(least.residual.norm(), fair))
+  dual::Balance<Dim> found = dual::quick_balance(cones, w, dual::Wanted::effort);
+  if (found.state != State::not_held && found.error <= most_error &&
+      found.residual.norm() <= std::max(least.residual.norm(), fair))
     forces = std::move(found);
   Hold<Dim> hold;
   hold.holdable = true;
