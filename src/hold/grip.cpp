@@ -7,6 +7,7 @@
 #include <string>
 
 #include "dual/exact.hpp"
+#include "dual/grip_ascent.hpp"
 #include "dual/twist.hpp"
 #include "hold/cone_hand.hpp"
 #include "hold/solve.hpp"
@@ -94,6 +95,14 @@ bool is_fair(const Hand<Dim>& hand, double weight, const Hold<Dim>& hold) {
   return fair;
 }
 
+/// What (y, rates) of a hold prove.
+template <int Dim>
+void write_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double cap, Hold<Dim>& hold) {
+  hold.objective = Objective::grip;
+  hold.grip = grip(hand, hold);
+  hold.lower_bound = std::clamp(grip_bound(hand, load, hold.dual, hold.rates, cap), 0.0, hold.grip);
+}
+
 /// Whether it can be held at all, where the grip's search ended without an answer to all digits.
 template <int Dim>
 Hold<Dim> unlimited_hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight,
@@ -112,6 +121,30 @@ Hold<Dim> unlimited_hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double 
                std::numeric_limits<double>::max());
   none.proven = none.lower_bound > cap * cap;
   return none;
+}
+
+/// The hold of least grip with its proof, by ascent. False where that leaves it open.
+template <int Dim>
+bool ascend(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight,
+            const HoldSettings& settings, Hold<Dim>& hold) {
+  const Driven<Dim>& driven = hand.driven();
+  if (!driven.apart) return false;
+  const dual::Problem<Dim> problem(hand.scaled(), weight);
+  const Wrench<Dim> w = scaled_wrench(problem.hand, weight, load);
+  dual::Point<Dim> held(problem.size);
+  if (!dual::maximise(problem, w, dual::cold_start(problem, w), settings.force_cap, held)) {
+    write_proof(problem, held, settings, hold);
+    return true;
+  }
+  dual::LeastGrip<Dim> found(problem.size);
+  if (!dual::least_grip(problem, driven, w, held, found)) return false;
+  write_point(problem, found.point, hold);
+  const bool turns = driven.alike && driven.drives[0].turns;
+  hold.dual = about_origin(problem.hand, turns ? problem.hand.length : 1, found.y);
+  hold.rates.resize(found.rates.size());
+  std::copy(found.rates.begin(), found.rates.end(), hold.rates.begin());
+  write_grip(hand, load, settings.force_cap * weight, hold);
+  return true;
 }
 
 }  // namespace
@@ -180,6 +213,7 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
   if (!(weight > 0)) throw InvalidGrasp("weight", "must be above 0");
   using State = typename dual::Balance<Dim>::State;
   const double unit = scaled_grip(hand, weight), cap = settings.force_cap * weight;
+  if (Hold<Dim> hold; ascend(hand, load, weight, settings, hold)) return hold;
   const ScaledHand<Dim>& scaled = hand.scaled();
   const Wrench<Dim> w = scaled_wrench(scaled, weight, load);
   dual::ConeHand<Dim> cones = cone_hand(hand, weight, dual::Wanted::grip);
@@ -206,13 +240,11 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
     if (!hold.holdable) return hold;
   }
 
-  hold.objective = Objective::grip;
   const dual::GripCut<Dim> cut = dual::grip_cut(cones, least, settings.force_cap);
   hold.rates.resize(cut.rates.size());
   for (std::size_t a = 0; a < cut.rates.size(); ++a) hold.rates[a] = cut.rates[a] / cut.rate_sum;
   hold.dual = about_origin(scaled, unit / weight / cut.rate_sum, cut.y);
-  hold.grip = grip(hand, hold);
-  hold.lower_bound = std::clamp(grip_bound(hand, load, hold.dual, hold.rates, cap), 0.0, hold.grip);
+  write_grip(hand, load, cap, hold);
   return hold;
 }
 
