@@ -124,6 +124,7 @@ class GripAscent {
 
  private:
   static constexpr int most_steps = 60;
+  static constexpr double most_gap = 1e-8;  ///< between value and proof, of the value
 
   struct Stand {
     Stand(std::size_t contacts, std::size_t drives) : point(contacts), rates(drives + 1) {}
@@ -427,11 +428,14 @@ bool GripAscent<Dim, limited>::finish(LeastGrip<Dim>& found) {
   double sum = 0;
   for (const double rate : found.rates) sum += rate;
   if (!(sum > 0)) return false;
-  found.y /= sum;
-  found.fixed /= sum;
   for (double& rate : found.rates) rate /= sum;
+  // In the unit of scaled_grip().
+  const double unit = driven_.alike ? 1 : 1 / cones_.per_weight;
+  found.value *= unit;
+  found.y *= unit / sum;
+  found.fixed *= unit / sum;
   const double bound = found.y.dot(w_) - found.fixed;
-  return found.value - bound <= 1e-8 * found.value;
+  return found.value - bound <= most_gap * found.value;
 }
 
 }  // namespace
