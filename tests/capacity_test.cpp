@@ -73,7 +73,7 @@ TEST(Capacity, OfTwoOpposedFingersIsTwiceTheirFriction) {
   EXPECT_EQ(range.least.weight, 0);
   EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
   EXPECT_NEAR(range.greatest.bound, 2 * 0.4 * 25, 1e-9);
-  EXPECT_NEAR(grip_force(grasp, range.greatest.posture.hold()), 25, 1e-5);
+  EXPECT_NEAR(grip(grasp, range.greatest.posture.hold()), 25, 1e-5);
   for (const Deciding& contact : range.deciding) {
     EXPECT_TRUE(contact.slipping);
     EXPECT_NEAR(contact.per_newton, 0.4, 1e-9);

@@ -173,7 +173,8 @@ TEST(Pad, OfOnePointWithoutReachIsAPointContact) {
   const Load<3> load{.weight = 3, .com = {0.1, 0.05, -0.1}};
   const Grasp<3> as_points(load, points), as_pads(load, pads);
   for (const Vector<3>& up : {Vector<3>(0, 0, 1), Vector<3>(0.6, 0, 0.8), Vector<3>(0, -1, 0)}) {
-    EXPECT_NEAR(least(as_points, up), least(as_pads, up), 1e-8);
+    // Forces of the least effort may take so much more of the grip.
+    EXPECT_NEAR(least(as_points, up), least(as_pads, up), 1.1e-8 * least(as_points, up));
     EXPECT_NEAR(hold(as_points, up).effort, hold(as_pads, up).effort, 1e-7);
   }
 }

@@ -172,7 +172,7 @@ TEST(SpaceHold, OfASqueezedBoxIsKnown) {
   EXPECT_NEAR(found.effort, 2 * (100 + 25), 1e-9);
   EXPECT_NEAR((found.forces[0].tangential - 5 * up).norm(), 0, 1e-9);
   EXPECT_EQ(found.forces[0].state, ContactState::slipping);
-  EXPECT_NEAR(grip_force(grasp, found), 10, 1e-9);
+  EXPECT_NEAR(grip(grasp, found), 10, 1e-9);
   EXPECT_EQ(manner(grasp, grasp.loads().front(), up, found), Manner::pinched);
 }
 

@@ -733,8 +733,13 @@ void Interior<Dim, T>::settle(Found& best) const {
 }  // namespace
 
 template <int Dim>
+Balance<Dim> quick_balance(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wanted) {
+  return Interior<Dim, double>(hand, w, wanted).run();
+}
+
+template <int Dim>
 Balance<Dim> balance(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wanted) {
-  const Balance<Dim> found = Interior<Dim, double>(hand, w, wanted).run();
+  const Balance<Dim> found = quick_balance(hand, w, wanted);
   if (found.state != Balance<Dim>::State::open) return found;
 #ifdef __wasm__
   return found;  // the page with the core in it is loaded from the web: digits are not worth its size
@@ -795,6 +800,8 @@ GripCut<Dim> grip_cut(const ConeHand<Dim>& hand, const Balance<Dim>& found, doub
 
 template GripCut<2> grip_cut(const ConeHand<2>&, const Balance<2>&, double);
 template GripCut<3> grip_cut(const ConeHand<3>&, const Balance<3>&, double);
+template Balance<2> quick_balance(const ConeHand<2>&, const Wrench<2>&, Wanted);
+template Balance<3> quick_balance(const ConeHand<3>&, const Wrench<3>&, Wanted);
 template Balance<2> balance(const ConeHand<2>&, const Wrench<2>&, Wanted);
 template Balance<3> balance(const ConeHand<3>&, const Wrench<3>&, Wanted);
 

@@ -89,7 +89,8 @@ Vector<Dim> middle(const Contact<Dim>& contact) {
 
 /// What effort a unit of the scaled grip is to a drive [N, or N m].
 template <int Dim>
-double drive_unit(const Hand<Dim>& hand, const Drive<Dim>& drive, GripUnit unit, double weight) {
+double drive_unit(const Hand<Dim>& hand, const typename Driven<Dim>::Limit& drive, GripUnit unit,
+                  double weight) {
   return unit == GripUnit::part_of_max ? drive.max
          : drive.turns                 ? weight * hand.scaled().length
                                        : weight;
@@ -164,16 +165,16 @@ dual::ConeHand<Dim> cone_hand(const Hand<Dim>& hand, double weight, dual::Wanted
                               hand.finger_of(i)});
   }
   const GripUnit unit = unit_for(hand, wanted);
-  for (const Drive<Dim>& drive : hand.drives()) {
-    if (wanted == dual::Wanted::effort && !std::isfinite(drive.max)) continue;
+  const Driven<Dim>& driven = hand.driven();
+  auto moved = driven.moved.begin();
+  for (std::size_t a = 0; a < driven.drives.size(); ++a) {
+    const auto& drive = driven.drives[a];
     const double scale = weight / drive_unit(hand, drive, unit, weight);
     dual::ConeDrive<Dim> moves{{}, drive.max * scale / weight};
-    for (const auto& moved : drive.moves) {
-      const auto finger = std::find(hand.fingers().begin(), hand.fingers().end(), moved.finger);
-      moves.moved.push_back({static_cast<std::size_t>(finger - hand.fingers().begin()),
-                             scale * about_center(scaled, 1, moved.twist)});
-    }
-    cones.drives.push_back(std::move(moves));
+    for (; moved != driven.moved.end() && moved->drive == a; ++moved)
+      moves.moved.push_back({moved->finger, scale * about_center(scaled, 1, moved->twist)});
+    if (wanted == dual::Wanted::grip || std::isfinite(drive.max))
+      cones.drives.push_back(std::move(moves));
   }
   return cones;
 }
@@ -231,7 +232,7 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
   Hold<Dim> hold;
   const double cap = settings.force_cap * weight;
   hold.dual = about_origin(scaled, weight, found.y);
-  const std::vector<Drive<Dim>> drives = hand.drives();
+  const auto& drives = hand.driven().drives;
   hold.rates.resize(drives.size());
   std::size_t limited = 0;
   for (std::size_t a = 0; a < drives.size(); ++a) {

@@ -123,7 +123,7 @@ const auto& most(const List& list, const Measure& measure) {
 template <int Dim>
 std::string command_text(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
   const double most = most_grip<Dim>(grasp);
-  const std::string text = grip_text(grasp, hold);
+  const std::string text = grip_text(grasp, grip<Dim>(grasp, hold));
   if (!(hold.grip > most * (1 + 1e-7))) return text;
   const GripUnit unit = grip_unit(grasp);
   return text + " (more than the gripper gives" +
