@@ -203,6 +203,67 @@ TEST(ForgedResults, HideNoPostureUnderNarrowArcs) {
   EXPECT_NE(problem(slim, forged), "");
 }
 
+/// A plate that hangs beside the two pads which hold it.
+GraspFile plate() {
+  return grasp_from_yaml(
+      "poise: 1\ndimension: 3\nobject: {weight: 10, com: [0.01, 0, -0.005]}\n"
+      "drives: coupled\ncontacts:\n"
+      "  - {position: [0, -0.01, 0], normal: [0, 1, 0], friction: 0.5, pad: {size: [0.02, 0.02],"
+      " axis: [1, 0, 0], grid: 3}}\n"
+      "  - {position: [0, 0.01, 0], normal: [0, -1, 0], friction: 0.6, pad: {size: [0.02, 0.02],"
+      " axis: [1, 0, 0], grid: 3}}\n",
+      "plate.yaml");
+}
+
+TEST(ForgedResults, OfPadsTellWhatEachPointCarries) {
+  const GraspFile file = plate();
+  for (const Objective objective : {Objective::grip, Objective::effort}) {
+    const Json hold = result_of(
+        file, {.command = Command::hold, .up = {0.3, 0.2, 0.933}, .objective = objective});
+    EXPECT_EQ(problem(file, hold), "");
+    const auto refuted = [&](const char* what, const auto& change) {
+      Json forged = hold;
+      change(forged);
+      EXPECT_NE(problem(file, forged), "") << to_string(objective) << ": " << what;
+    };
+    const auto times = [](Json& number, double factor) { number = factor * number.get<double>(); };
+    refuted("a point carries more", [&](Json& forged) {
+      for (Json& number : forged["contacts"][0]["point_forces"][4]) times(number, 1.001);
+    });
+    refuted("points change places", [&](Json& forged) {
+      Json& points = forged["contacts"][0]["point_forces"];
+      std::swap(points[0], points[8]);
+    });
+    refuted("all points carry more", [&](Json& forged) {
+      for (Json& point : forged["contacts"][1]["point_forces"])
+        for (Json& number : point) times(number, 1.001);
+    });
+    refuted("a point is missing",
+            [&](Json& forged) { forged["contacts"][0]["point_forces"].erase(0); });
+    refuted("no points", [&](Json& forged) { forged["contacts"][0].erase("point_forces"); });
+    refuted("the centre of pressure is elsewhere", [&](Json& forged) {
+      Json& x = forged["contacts"][0]["center_of_pressure"][0];
+      x = x.get<double>() + 1e-6;
+    });
+    refuted("a moment about the normal",
+            [&](Json& forged) { times(forged["contacts"][0]["torsion_moment"], 1.001); });
+    refuted("less friction",
+            [&](Json& forged) { times(forged["contacts"][0]["friction_used"], 0.99); });
+    refuted("another proof", [&](Json& forged) {
+      Json& y = forged[objective == Objective::grip ? "y" : "dual"];
+      for (Json& number : y) times(number, 1.1);
+    });
+    refuted("a lower bound", [&](Json& forged) { times(forged["lower_bound"], 1.001); });
+  }
+  const Json best = result_of(file, {.command = Command::best, .objective = Objective::grip});
+  EXPECT_EQ(problem(file, best), "");
+  Json forged = best;
+  for (Json& cut : forged["cuts"])
+    if (cut.contains("rates"))
+      for (Json& rate : cut["rates"]) rate = 0.9 * rate.get<double>();
+  EXPECT_NE(problem(file, forged), "");
+}
+
 /// What a gripper can hold, each number changed by itself and with what belongs to it.
 TEST(ForgedResults, HoldNoMoreAndNoLessThanTheyCan) {
   const GraspFile file = example("hexagon-three-fingers");

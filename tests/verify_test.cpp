@@ -87,7 +87,8 @@ Domain any_domain() { return *rc::gen::element(Domain::all, Domain::pinching_up)
 /// Now and then with a posture to turn from.
 PlanarFile any_file_of(const Held& held) {
   PlanarFile file = file_of(held);
-  if (*rc::gen::inRange(0, 2) == 1) file.angle = *rc::gen::exec(test::random_angle);
+  if (*rc::gen::inRange(0, 2) == 1)
+    file.angle = std::max(*rc::gen::exec(test::random_angle), -3.0);  // in (-pi, pi]
   return file;
 }
 

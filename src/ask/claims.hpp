@@ -66,6 +66,8 @@ struct ContactClaim {
   std::optional<double> torsion_moment{};         ///< of a soft finger
   Vector<Dim> force;                              ///< object frame
   std::optional<Vector<3>> center_of_pressure{};  ///< of a pad, object frame
+  /// Of a pad: the tangential force of each of its points, object frame.
+  std::optional<std::vector<Vector<3>>> point_forces{};
   ContactState state{};
   ForceLimit limit{};
 
@@ -74,7 +76,7 @@ struct ContactClaim {
     visit("tangential_force", tangential_force);
     visit.maybe("torsion_moment", torsion_moment);
     visit("force", force);
-    visit.maybe("center_of_pressure", center_of_pressure);
+    visit.maybe("center_of_pressure", center_of_pressure, "point_forces", point_forces);
     visit("state", state, "limit", limit);
   }
 };

@@ -26,6 +26,7 @@ std::optional<std::vector<double>> some(const SmallVector<double, 4>& rates) {
 template <int Dim>
 std::vector<ContactClaim<Dim>> contact_claims(const Hand<Dim>& hand, const Hold<Dim>& hold) {
   std::vector<ContactClaim<Dim>> claims(hold.forces.size());
+  auto point = hold.pad_forces.begin();
   for (std::size_t i = 0; i < claims.size(); ++i) {
     const Contact<Dim>& contact = hand.contacts()[i];
     const ContactForce<Dim>& force = hold.forces[i];
@@ -40,7 +41,11 @@ std::vector<ContactClaim<Dim>> contact_claims(const Hand<Dim>& hand, const Hold<
     } else {
       claims[i].tangential_force = force.tangential.norm();
       if (contact.torsion > 0 || contact.pad) claims[i].torsion_moment = force.torsion_moment;
-      if (contact.pad) claims[i].center_of_pressure = contact.position + force.center_of_pressure;
+      if (!contact.pad) continue;
+      claims[i].center_of_pressure = contact.position + force.center_of_pressure;
+      const auto last = point + static_cast<std::ptrdiff_t>(contact.pad->points.size());
+      claims[i].point_forces.emplace(point, last);
+      point = last;
     }
   }
   return claims;

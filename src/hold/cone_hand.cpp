@@ -103,14 +103,16 @@ GripUnit unit_for(const Hand<Dim>& hand, dual::Wanted wanted) {
 }
 
 void write_contact(const Contact<2>& contact, double normal, const PartForce<2>* parts,
-                   std::size_t count, double weight, ContactForce<2>& force) {
+                   std::size_t count, double weight, ContactForce<2>& force,
+                   std::vector<Vector<3>>&) {
   force.normal = normal;
   force.tangential = count == 0 ? 0 : weight * parts[0][0];
   force.friction_used = std::abs(force.tangential) / (contact.friction * normal);
 }
 
 void write_contact(const Contact<3>& contact, double normal, const PartForce<3>* parts,
-                   std::size_t count, double weight, ContactForce<3>& force) {
+                   std::size_t count, double weight, ContactForce<3>& force,
+                   std::vector<Vector<3>>& pad_forces) {
   const Eigen::Matrix<double, 3, 2> tangent = tangents(contact.normal);
   const auto tangential = [&](std::size_t k) -> Vector<3> {
     return weight * tangent * parts[k].head<2>();
@@ -130,13 +132,13 @@ void write_contact(const Contact<3>& contact, double normal, const PartForce<3>*
   const dual::PadFrame frame(contact);
   std::size_t k = 0;
   double used = 0;
-  if (contact.friction > 0)
-    for (const Vector<3>& point : contact.pad->points) {
-      const Vector<3> t = tangential(k++);
-      force.tangential += t;
-      force.torsion_moment += contact.normal.dot(point.cross(t));
-      used += t.norm();
-    }
+  for (const Vector<3>& point : contact.pad->points) {
+    const Vector<3> t = contact.friction > 0 ? tangential(k++) : Vector<3>::Zero();
+    pad_forces.push_back(t);
+    force.tangential += t;
+    force.torsion_moment += contact.normal.dot(point.cross(t));
+    used += t.norm();
+  }
   force.friction_used = used / (contact.friction * normal);
   force.center_of_pressure = frame.mean;
   for (std::size_t c = 0; c < 2; ++c) {
@@ -199,6 +201,7 @@ void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Di
   hold.residual =
       std::max(balance.residual.template head<Dim>().norm(), hand.radius() > 0 ? moment : 0);
   hold.forces.resize(hand.contacts().size());
+  hold.pad_forces.clear();
   double square = 0;
   for (std::size_t i = 0; i < hand.contacts().size(); ++i) {
     const Contact<Dim>& contact = hand.contacts()[i];
@@ -209,7 +212,7 @@ void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Di
     for (std::size_t k = cone.first; k < cone.last; ++k)
       square += cones.parts[k].weight * balance.tangentials[k].squaredNorm();
     write_contact(contact, weight * normal, balance.tangentials.data() + cone.first,
-                  cone.last - cone.first, weight, force);
+                  cone.last - cone.first, weight, force, hold.pad_forces);
     const bool loaded = normal > at_limit, frictionless = contact.friction == 0;
     if (!loaded || frictionless) force.friction_used = loaded ? 1 : 0;
     force.friction_used = std::min(force.friction_used, 1.0);
@@ -249,6 +252,7 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
   }
   if (!hold.holdable) {
     hold.forces.resize(0);
+    hold.pad_forces.clear();
     hold.effort = 0;
     // As long as a bound above the cap needs: the dual rises by 1 for each length of y, in the
     // solver's units.

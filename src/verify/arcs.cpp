@@ -73,7 +73,7 @@ void check_proof(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc, R
   for (int k = 0; k <= 4; ++k) {
     const Real theta = arc.from + (arc.to - arc.from) * k / 4, V = arc.value(theta);
     const Vec y = arc.y * harmonics(theta), w = wrench(grasp.loads.front(), up_at(theta));
-    const Real off = std::abs(V - bound(grasp, w, y)) + bound_rounding(grasp, w, y);
+    const Real off = std::abs(V - bound(grasp, w, y)) + bound_rounding(grasp, w, y, {});
     verdict.check(arc.place / "V", "V is what y proves [of V]", V > 0 ? off / V : 1,
                   1e-6L + 4 * digits);
   }

@@ -93,15 +93,15 @@ void check_deciding(Verdict& verdict, const Path& place, const Case& given,
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Path here = place[i];
     const Vec z = contacts[i].G.transpose() * against(given.grasp, contacts[i].finger, y, *rates);
-    const Real beside = z.tail(z.size() - 1).norm(), power = z[0] + contacts[i].friction * beside;
+    const Real beside = sliding(contacts[i], z), most = power(contacts[i], z);
     verdict.check(here, "finger is that of the grasp",
                   claim.contacts[i].finger == contacts[i].finger);
-    const bool presses = std::isfinite(contacts[i].most) && power > least;
-    const Real off = claim.contacts[i].per_newton - (presses ? power / gain : 0);
+    const bool presses = std::isfinite(contacts[i].most) && most > least;
+    const Real off = claim.contacts[i].per_newton - (presses ? most / gain : 0);
     verdict.check(here / "per_newton", "per_newton is what the contact can do, by the dual",
                   std::abs(off), 1e-6L * (1 + std::abs(claim.contacts[i].per_newton)));
-    const bool slips = contacts[i].friction > 0 && beside > least && power > -least;
-    const bool clear = !is_beside(beside, least, gain) && !is_beside(power, -least, gain);
+    const bool slips = contacts[i].friction > 0 && beside > least && most > -least;
+    const bool clear = !is_beside(beside, least, gain) && !is_beside(most, -least, gain);
     verdict.check(here / "slipping", "slipping follows from the dual",
                   !clear || claim.contacts[i].slipping == slips);
   }

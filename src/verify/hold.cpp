@@ -3,13 +3,12 @@
 #include <limits>
 
 #include "verify/checks.hpp"
-#include "verify/fork.hpp"
+#include "verify/manner.hpp"
 #include "verify/trig.hpp"
 
 namespace poise::verify {
 namespace {
 
-constexpr Real most_off = 1e-11L;  ///< of the balance [weights]
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
 template <int Dim>
@@ -51,7 +50,8 @@ void check_fingers(Verdict& verdict, const Path& place, const RealGrasp& grasp,
   const bool complete = hold.fingers.size() == grasp.fingers.size();
   verdict.check(place / "fingers", "there are as many fingers as the grasp has", complete);
   if (!complete) return;
-  bool all_loaded = true, clear = true;
+  bool clear = true;
+  std::size_t loaded = 0;
   for (std::size_t k = 0; k < hold.fingers.size(); ++k) {
     const FingerClaim<Dim>& finger = hold.fingers[k];
     const Path here = (place / "fingers")[k];
@@ -68,23 +68,23 @@ void check_fingers(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                   std::abs(finger.pressing_force.value_or(0) - sum.force.dot(closing)),
                   rounding * sum.size);
     if (is_beside(sum.normal, at_limit * load.weight, load.weight)) clear = false;
-    all_loaded = all_loaded && sum.normal > at_limit * load.weight;
+    if (sum.normal > at_limit * load.weight) ++loaded;
   }
   verdict.check(place / "all_loaded", "all_loaded follows from the fingers",
-                !clear || hold.all_loaded == all_loaded);
-  const Fork cradled = fork(grasp, load, real(hold.up));
-  const bool resting = grasp.fingers.size() == 1 || !all_loaded;
-  verdict.check(place / "manner", "manner follows from forces and posture",
-                !clear || (resting                ? hold.manner == Manner::resting
-                           : cradled == Fork::yes ? hold.manner == Manner::cradled
-                           : cradled == Fork::no  ? hold.manner == Manner::pinched
-                                                  : hold.manner != Manner::resting));
+                !clear || hold.all_loaded == (loaded == hold.fingers.size()));
+  const Friction friction =
+      loaded > 1 ? friction_for(grasp, load, real(hold.up)) : Friction::unclear;
+  verdict.check(place / "manner", "manner follows from the forces",
+                !clear || (loaded <= 1                      ? hold.manner == Manner::resting
+                           : friction == Friction::needless ? hold.manner == Manner::cradled
+                           : friction == Friction::needed   ? hold.manner == Manner::pinched
+                                                            : hold.manner != Manner::resting));
 }
 
 /// Checks what the drives do, and the grip.
 template <int Dim>
 void check_drives(Verdict& verdict, const Path& place, const RealGrasp& grasp,
-                  const HoldClaim<Dim>& hold) {
+                  const HoldClaim<Dim>& hold, const std::vector<Vec>& forces) {
   const std::size_t count = grasp.drives.size();
   const bool complete = hold.drives.size() == count && hold.grip.has_value() == (count > 0);
   verdict.check(place / "drives", "there are as many drives as the grasp has, and their grip",
@@ -100,9 +100,7 @@ void check_drives(Verdict& verdict, const Path& place, const RealGrasp& grasp,
       for (const RealDrive::Moved& moved : drive.moves) {
         const RealContact& contact = grasp.contacts[i];
         if (moved.finger != contact.finger) continue;
-        Vec w = wrench(real(hold.contacts[i].force), contact.position);
-        if (contact.is_soft())
-          w.tail(3) += Real{hold.contacts[i].torsion_moment.value_or(0)} * contact.normal;
+        const Vec w = contact.G * forces[i];
         effort += moved.twist.dot(w);
         allowed += moved.twist.norm() * w.norm();
       }
@@ -138,10 +136,28 @@ void check_grip_bound(Verdict& verdict, const Path& place, const RealGrasp& gras
   verdict.check(place / "rates", "rates add up to 1", std::abs(sum - 1), rounding);
   const Vec w = wrench(load, real(hold.up)), y = real(hold.dual);
   const Real proven = grip_bound(grasp, w, y, *rates, force_cap * load.weight);
-  // What is in newtons or newton metres is compared with the grip that the weight asks for.
-  const Real unit = std::max({Real{hold.lower_bound}, std::abs(y.dot(w)), Real{1e-9L}});
+  const Real unit = std::max(Real{hold.lower_bound}, little(grasp, Objective::grip));
   verdict.check(place / "lower_bound", "lower_bound is what y and rates prove of the grip",
                 (hold.lower_bound - std::max<Real>(proven, 0)) / unit, 1e-7L);
+}
+
+/// How many times less exactly than its forces a pad tells its moments: by its centre of pressure.
+Real told_digits(const RealContact& contact) {
+  Real times = 1;
+  if (contact.pad)
+    for (const RealPad::Tilt& tilt : contact.pad->tilts)
+      if (tilt.reach > 0) times = std::max(times, contact.middle().norm() / tilt.gyration);
+  return times;
+}
+
+/// What the balance may be off by [weights]. An interior-point method, for pads and drives, ends
+/// earlier.
+template <int Dim>
+Real most_off(const RealGrasp& grasp, const HoldClaim<Dim>& hold) {
+  const bool inside = hold.objective == Objective::grip || hold.rates ||
+                      std::any_of(grasp.contacts.begin(), grasp.contacts.end(),
+                                  [](const auto& contact) { return contact.pad.has_value(); });
+  return inside ? 1e-8L : 1e-11L;
 }
 
 template <int Dim>
@@ -155,7 +171,7 @@ void check_forces(Verdict& verdict, const Path& place, const RealGrasp& grasp, c
   for (std::size_t i = 0; i < hold.contacts.size(); ++i) {
     forces.push_back(check_contact(verdict, (place / "contacts")[i], grasp.contacts[i], load.weight,
                                    hold.contacts[i]));
-    effort += forces[i].squaredNorm() / grasp.contacts[i].share;
+    effort += verify::effort(grasp.contacts[i], forces[i]);
   }
   verdict.check(place / "effort", "effort is that of the forces", difference(hold.effort, effort),
                 1e-11L);
@@ -167,19 +183,18 @@ void check_forces(Verdict& verdict, const Path& place, const RealGrasp& grasp, c
   Vec off = wrench(load, real(hold.up));
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const RealContact& contact = grasp.contacts[i];
-    off -= wrench(real(hold.contacts[i].force), contact.position);
-    if (contact.is_soft())
-      off.tail(3) -= Real{hold.contacts[i].torsion_moment.value_or(0)} * contact.normal;
+    off -= contact.G * forces[i];
     verdict.check((place / "contacts")[i],
                   "force is within the friction cone and its limits [weights]",
-                  outside(contact, forces[i]) / load.weight, digits);
+                  outside(contact, forces[i]) / load.weight, digits * told_digits(contact));
   }
   const Real residual = relative_size(off, load);
-  verdict.check(place, "forces balance the load [weights]", residual, most_off + digits);
+  verdict.check(place, "forces balance the load [weights]", residual,
+                most_off(grasp, hold) + digits);
   verdict.check(place / "residual", "residual is the error of the balance [weights]",
-                std::abs(hold.residual - residual), most_off + digits);
+                std::abs(hold.residual - residual), most_off(grasp, hold) + digits);
   check_fingers(verdict, place, grasp, load, hold);
-  check_drives(verdict, place, grasp, hold);
+  check_drives(verdict, place, grasp, hold, forces);
 }
 
 /// Checks the hold of a load that does not decide: it can be held too, with less.
@@ -240,7 +255,7 @@ DualValue dual_value(const RealGrasp& grasp, const RealLoad& load, const HoldCla
   std::vector<Real> rates;
   if (hold.rates && hold.rates->size() == grasp.drives.size())
     rates.assign(hold.rates->begin(), hold.rates->end());
-  return {bound(grasp, w, y, rates), bound_rounding(grasp, w, y)};
+  return {bound(grasp, w, y, rates), bound_rounding(grasp, w, y, rates)};
 }
 
 template <int Dim>
@@ -313,7 +328,7 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
     const Vec w = wrench(load, real(hold.up)), y = length * real(hold.dual);
     std::vector<Real> speeds = *rates;
     for (Real& speed : speeds) speed *= length;
-    return bound(grasp, w, y, speeds) - bound_rounding(grasp, w, y) -
+    return bound(grasp, w, y, speeds) - bound_rounding(grasp, w, y, speeds) -
            2 * delta * imbalance_power(load, y);
   };
   const Real cap = force_cap * load.weight;
