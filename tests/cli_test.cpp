@@ -30,7 +30,7 @@ void expect_minimum(const Json& minimum, double angle, double effort, const std:
 }
 
 TEST_F(CommandLine, FindsTheOptimaOfThePapersFig6) {
-  const Json pinched = json("best " + example("ito-fig6") + " --domain pinched");
+  const Json pinched = json("best " + example("ito-fig6") + " --domain pinching-up");
   ASSERT_EQ(pinched["minima"].size(), 3U);
   expect_minimum(pinched["minima"][0], 105, 100, "boundary", "resting");
   expect_minimum(pinched["minima"][1], -105, 100, "boundary", "resting");
@@ -45,7 +45,7 @@ TEST_F(CommandLine, FindsTheOptimaOfThePapersFig6) {
 
 TEST_F(CommandLine, HoldsThePapersFig4cAtTheEndsAlone) {
   write("4c.yaml", fig_4c);
-  const Json best = json("best 4c.yaml --domain pinched");
+  const Json best = json("best 4c.yaml --domain pinching-up");
   ASSERT_EQ(best["minima"].size(), 2U);
   expect_minimum(best["minima"][0], 135, 100, "boundary", "resting");
   expect_minimum(best["minima"][1], -135, 100, "boundary", "resting");
@@ -60,19 +60,19 @@ TEST_F(CommandLine, HoldsThePapersFig4cAtTheEndsAlone) {
 TEST_F(CommandLine, GivesTheAnswersThatTheExamplesTell) {
   const Json l_part = json("best " + example("l-part"));
   EXPECT_NEAR(l_part["best"]["angle_deg"], 131.99, 0.005);
-  EXPECT_NEAR(l_part["best"]["grip_force"], 1.184, 0.0005);
+  EXPECT_NEAR(l_part["best"]["grip"], 1.184, 0.0005);
   EXPECT_EQ(l_part["best"]["manner"], "cradled");
   EXPECT_NEAR(l_part["best_pinched"]["angle_deg"], -25.46, 0.005);
-  EXPECT_NEAR(l_part["best_pinched"]["grip_force"], 1.233, 0.0005);
-  EXPECT_NEAR(json("hold " + example("l-part"))["grip_force"], 2.125, 0.0005);
+  EXPECT_NEAR(l_part["best_pinched"]["grip"], 1.233, 0.0005);
+  EXPECT_NEAR(json("hold " + example("l-part"))["grip"], 2.125, 0.0005);
 
   const Json hexagon = json("best " + example("hexagon-three-fingers"));
   EXPECT_NEAR(hexagon["best"]["angle_deg"], -173.22, 0.005);
-  EXPECT_NEAR(hexagon["best"]["grip_force"], 5.057, 0.0005);
+  EXPECT_NEAR(hexagon["best"]["grip"], 5.057, 0.0005);
   EXPECT_EQ(hexagon["best"]["contacts"][2]["limit"], "min");
   EXPECT_NEAR(hexagon["holdable_arcs_deg"][0][0], 54, 0.5);
   EXPECT_NEAR(hexagon["holdable_arcs_deg"][0][1], 360 - 54, 0.5);
-  EXPECT_NEAR(json("hold " + example("hexagon-three-fingers"))["grip_force"], 7.072, 0.0005);
+  EXPECT_NEAR(json("hold " + example("hexagon-three-fingers"))["grip"], 7.072, 0.0005);
 }
 
 TEST_F(CommandLine, ExitsWith1WhereNothingCanBeHeld) {
@@ -131,7 +131,7 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
       {"hold 4c.yaml --up 1,2,3,4", "--up: '1,2,3,4' is not a direction"},
       {"hold 4c.yaml --up 1,2,3",
        "--up: has 3 numbers, must have 2: 4c.yaml is in the plane (dimension 2)"},
-      {"best 4c.yaml --domain half", "--domain: 'half' must be all or pinched"},
+      {"best 4c.yaml --domain half", "--domain: 'half' must be all or pinching-up"},
       {"best 4c.yaml --force-cap 0", "--force-cap: '0' is not a number of weights"},
       {"best 4c.yaml --force-cap -1", "--force-cap: '-1'"},
       {"best 4c.yaml --force-cap 1e10", "--force-cap: '1e10'"},
@@ -188,8 +188,8 @@ TEST_F(CommandLine, ReadsStandardInput) {
 }
 
 TEST_F(CommandLine, TheFlagOverridesTheDomainOfTheFile) {
-  write("pinched.yaml", fig_4c + "domain: pinched\n");
-  EXPECT_EQ(json("best pinched.yaml")["options"]["domain"], "pinched");
+  write("pinched.yaml", fig_4c + "domain: pinching-up\n");
+  EXPECT_EQ(json("best pinched.yaml")["options"]["domain"], "pinching-up");
   EXPECT_EQ(json("best pinched.yaml")["minima"].size(), 2U);
   EXPECT_EQ(json("best pinched.yaml --domain all")["options"]["domain"], "all");
   EXPECT_EQ(json("best pinched.yaml --domain all")["best"]["angle_deg"], 180.0);
@@ -311,7 +311,7 @@ TEST_F(Plot, DrawsEveryExampleAsItHangs) {
   }
   // The posture may be given, and need not hold; the file's name stays its own.
   EXPECT_EQ(poise("draw " + example("l-part") + " --angle 20 -o a.svg").status, 0);
-  EXPECT_NE(contents(folder() / "a.svg").find("at 20.00°: grip force"), std::string::npos);
+  EXPECT_NE(contents(folder() / "a.svg").find("at 20.00°: grip "), std::string::npos);
   EXPECT_EQ(poise("draw " + example("bottle") + " --up 1,0,0 -o a.svg").status, 0);
   EXPECT_EQ(poise("draw " + example("box-hard-jaws") + " --up 0,0,1 -o a.png").status, 1);
   write("old.png", "old");
@@ -376,9 +376,9 @@ TEST_F(CommandLine, CapacityIsWhatTwoFingersCarryByFriction) {
   EXPECT_NEAR(now["weight"]["greatest_bound"], 20, 1e-8);
   EXPECT_EQ(now["weight"]["any"], false);
   EXPECT_NEAR(now["friction"]["factor"], 0.5, 1e-6);
-  EXPECT_NEAR(now["command"]["grip_force"], 1.5 * 10 / (2 * 0.4), 1e-9);
+  EXPECT_NEAR(now["command"]["grip"], 1.5 * 10 / (2 * 0.4), 1e-9);
   EXPECT_EQ(document["capacities"][1]["posture"], "best");
-  EXPECT_NEAR(json("capacity vice.json --safety 1")["capacities"][0]["command"]["grip_force"], 12.5,
+  EXPECT_NEAR(json("capacity vice.json --safety 1")["capacities"][0]["command"]["grip"], 12.5,
               1e-9);
   // Upside down; and with less friction than it needs.
   EXPECT_NEAR(json("capacity vice.json --angle 180")["capacities"][0]["weight"]["greatest"], 20,

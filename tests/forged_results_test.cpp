@@ -51,7 +51,7 @@ Json squeezed(const GraspFile& box, double s, double turning) {
     Json &contact = result["contacts"][i], &finger = result["fingers"][i];
     const double n = contact["normal_force"].get<double>() + s;
     const double t = contact["tangential_force"], y = contact["force"][1];
-    contact["normal_force"] = finger["normal_force"] = result["grip_force"] = n;
+    contact["normal_force"] = finger["normal_force"] = n;
     contact["force"][1] = finger["force"][1] = y < 0 ? -n : n;
     contact["friction_used"] = t / (0.4 * n);
     if (s > 0) contact["state"] = "sticking";
@@ -122,7 +122,7 @@ TEST(ForgedResults, HaveOptionsThatTheProgramTakes) {
   forged["options"]["safety"] = 2;
   expect_refuted(box, forged, "safety is an option of the command");
   forged = best;
-  forged["options"]["domain"] = "pinched";
+  forged["options"]["domain"] = "pinching-up";
   expect_refuted(box, forged, "domain is all in space");
 }
 

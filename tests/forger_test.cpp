@@ -149,7 +149,7 @@ void erase(Json& document, const Pointer& at) {
 Json other_word(const std::string& word) {
   const std::vector<std::string> words = {
       "unloaded",   "sticking", "slipping", "none", "min",    "max",     "resting",
-      "cradled",    "pinched",  "boundary", "kink", "smooth", "optimal", "gap",
+      "cradled",    "pinched", "pinching-up",  "boundary", "kink", "smooth", "optimal", "gap",
       "unholdable", "all",      "given",    "now",  "best",   "upright"};
   const std::string& other = any_of(words);
   return other == word ? word + "s" : other;
@@ -307,7 +307,7 @@ std::vector<std::string> changes(const Json& document, Json forged,
     };
     // Where the fork of the fingers ends both manners are right.
     const bool at_fork = path.ends_with("manner") && document["options"].contains("domain") &&
-                         document["options"]["domain"] == "pinched";
+                         document["options"]["domain"] == "pinching-up";
     const bool is_weaker = path == "lower_bound" && document["command"] == "best" &&
                            forged[path].is_number() && forged[path] < document[path];
     // Of two loads that cannot be held either decides.

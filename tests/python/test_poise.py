@@ -912,7 +912,7 @@ class Misuse(unittest.TestCase):
         self.check("load", poise.hold, grasp, [0, 1], [0, 0, 0])
         self.check("y", poise.hold, grasp, [0, 1, 0], [0, 0])
         with self.assertRaises(TypeError):
-            poise.best_posture(grasp, domain="pinched")
+            poise.best_posture(grasp, domain="pinching-up")
         with self.assertRaises(IndexError):
             grasp.finger_of(2)
 
