@@ -61,9 +61,10 @@ TEST_F(CommandLine, GivesTheAnswersThatTheExamplesTell) {
   const Json l_part = json("best " + example("l-part"));
   EXPECT_NEAR(l_part["best"]["angle_deg"], 131.99, 0.005);
   EXPECT_NEAR(l_part["best"]["grip"], 1.184, 0.0005);
-  EXPECT_EQ(l_part["best"]["manner"], "cradled");
-  EXPECT_NEAR(l_part["best_pinched"]["angle_deg"], -25.46, 0.005);
-  EXPECT_NEAR(l_part["best_pinched"]["grip"], 1.233, 0.0005);
+  EXPECT_EQ(l_part["best"]["manner"], "pinched");  // parallel pads, all friction used
+  EXPECT_EQ(l_part["best_pinched"], l_part["best"]);
+  EXPECT_NEAR(l_part["minima"][1]["angle_deg"], -25.46, 0.005);
+  EXPECT_NEAR(l_part["minima"][1]["grip"], 1.233, 0.0005);
   EXPECT_NEAR(json("hold " + example("l-part"))["grip"], 2.125, 0.0005);
 
   const Json hexagon = json("best " + example("hexagon-three-fingers"));
@@ -219,10 +220,44 @@ TEST_F(CommandLine, PrintsNoColourIntoAPipe) {
     EXPECT_EQ(poise(command + example("l-part"), "TERM=xterm").out.find('\033'), std::string::npos);
 }
 
+/// A block of 10 N between two fingers of friction 0.4, which need 12.5 N.
+std::string vice_with(const std::string& rest) {
+  return "{\"poise\": 1, \"dimension\": 2, " + rest +
+         "\"object\": {\"weight\": 10, \"com\": [0, 0]},\n \"contacts\": [\n"
+         "  {\"position\": [-1, 0], \"normal\": [1, 0], \"friction\": 0.4, \"finger\": \"a\"},\n"
+         "  {\"position\": [1, 0], \"normal\": [-1, 0], \"friction\": 0.4, \"finger\": \"b\"}]}\n";
+}
+
 TEST_F(CommandLine, SaysHowToGetFromNowToTheBest) {
-  const std::string out = poise("best " + example("l-part")).out;
-  for (const char* words : {"now", "best pinched", "turn by 25.46° clockwise", "times the effort"})
+  write("turned.yaml", contents(POISE_EXAMPLES "/ito-fig6.yaml") + "angle_deg: 0\n");
+  const std::string out = poise("best turned.yaml").out;
+  for (const char* words :
+       {"now", "best pinched", "turn by 30.00° counter-clockwise", "times the effort"})
     EXPECT_NE(out.find(words), out.npos) << words << "\n" << out;
+  // Where it is already as good, it stays.
+  write("there.yaml", contents(POISE_EXAMPLES "/ito-fig6.yaml") + "angle_deg: -165\n");
+  EXPECT_NE(poise("best there.yaml").out.find("stay"), std::string::npos);
+}
+
+TEST_F(CommandLine, FindsThePostureOfLeastGripInThePlane) {
+  const Json grip = json("best " + example("hexagon-three-fingers") + " --objective grip");
+  const Json effort = json("best " + example("hexagon-three-fingers"));
+  EXPECT_EQ(grip["status"], "optimal");
+  for (const Json& minimum : effort["minima"])
+    EXPECT_LE(grip["best"]["grip"], minimum["grip"].get<double>() * (1 + 1e-7));
+  EXPECT_LT(grip["best"]["grip"], 0.95 * effort["best"]["grip"].get<double>());
+  for (const std::string command : {"best", "curve"}) {
+    const std::string asked = command + " " + example("hexagon-three-fingers") + " --objective grip";
+    write("result.json", poise(asked + " --json").out);
+    EXPECT_EQ(poise("verify " + example("hexagon-three-fingers") + " result.json").status, 0)
+        << command;
+  }
+  // A jaw that can press with 10 N holds no more than 2 mu times that.
+  write("weak.json", vice_with("\"drives\": \"each\", \"fingers\": {\"a\": {\"max_force\": 9}, "
+                               "\"b\": {\"max_force\": 9}}, \"objective\": \"grip\", "));
+  const Outcome weak = poise("best weak.json");
+  EXPECT_EQ(weak.status, 1) << weak.out << weak.err;
+  EXPECT_NE(weak.out.find("more than their max of 9"), std::string::npos) << weak.out;
 }
 
 TEST_F(CommandLine, SaysSoWhereTheAnswerCannotBeWritten) {

@@ -936,7 +936,7 @@ class Misuse(unittest.TestCase):
         self.check("grasp", poise.plot, [spatial, planar])
         self.check("tilt", poise.best_posture, planar, tilt=poise.Tilt([0, 0, 1], 0.5))
         self.check("domain", poise.best_posture, spatial, domain=poise.Domain.pinching_up)
-        self.check("hold", poise.grip_force, planar, poise.hold(spatial, [0, 0, 1]))
+        self.check("hold", poise.grip, planar, poise.hold(spatial, [0, 0, 1]))
         self.check("ups[0]", poise.hold_many, spatial, [[0, 1], [1, 0]])
         self.check("gap", poise.best_posture, spatial, gap=0)
         self.check("tilt.from_", poise.best_posture, spatial, tilt=poise.Tilt([0, 0, 0], 0.5))
