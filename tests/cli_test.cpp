@@ -427,7 +427,35 @@ TEST_F(CommandLine, CapacityIsWhatTwoFingersCarryByFriction) {
   EXPECT_NE(run.out.find("20.00 N (2.039 kg), 2.000 times the given"), std::string::npos)
       << run.out;
   EXPECT_NE(run.out.find("0.2000 instead of 0.4000: a safety factor of 2.000"), std::string::npos);
-  EXPECT_NE(run.out.find("18.75 N, with a safety factor of 1.500"), std::string::npos);
+  EXPECT_NE(run.out.find("grip to command  18.75 N, with a safety factor of 1.500"),
+            std::string::npos);
+}
+
+TEST_F(CommandLine, CapacityOfDrivesSaysWhatToTypeIntoTheirController) {
+  const auto jaws = [&](const std::string& drives) {
+    write("jaws.yaml",
+          "poise: 1\ndimension: 2\nangle_deg: 0\nobject: {weight: 10, com: [0, 0]}\n" + drives +
+              "contacts:\n"
+              "  - {position: [-1, 0], normal: [1, 0], friction: 0.3, finger: left}\n"
+              "  - {position: [1, 0], normal: [-1, 0], friction: 0.3, finger: right}\n");
+    return poise("capacity jaws.yaml").out;
+  };
+  std::string out = jaws("drives: coupled\nfingers: {left: {max_force: 20}}\n");
+  EXPECT_NE(out.find("greatest weight  12.00 N (1.224 kg), 1.200 times"), std::string::npos) << out;
+  EXPECT_NE(out.find("grip to command  25.00 N (more than the gripper gives: 20.00 N), with"),
+            std::string::npos)
+      << out;
+  EXPECT_NE(out.find("the drive of all fingers gives its max; left and right use all\ntheir "
+                     "friction."),
+            std::string::npos)
+      << out;
+  write("answer.json", poise("capacity jaws.yaml --json").out);
+  EXPECT_EQ(poise("verify jaws.yaml answer.json").status, 0);
+  out = jaws("fingers: {left: {max_force: 50}, right: {max_force: 20}}\n");
+  EXPECT_NE(out.find("grip to command  125.0 % of max (more than the gripper gives), with"),
+            std::string::npos)
+      << out;
+  EXPECT_NE(out.find("the drive of right gives its max"), std::string::npos) << out;
 }
 
 TEST_F(CommandLine, CapacityHasALeastWeightWhereAFingerMustPress) {

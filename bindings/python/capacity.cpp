@@ -165,28 +165,30 @@ void add_types(py::module_& module) {
            }));
 }
 
-/// A grasp like another, with the same drives.
+enum class Drives { same, unlimited };
+
+/// A grasp like another.
 template <class Change>
-std::shared_ptr<AnyGrasp> like(const AnyGrasp& any, Change change) {
+std::shared_ptr<AnyGrasp> like(const AnyGrasp& any, Drives drives, Change change) {
   return std::visit(
       [&]<int Dim>(const Grasp<Dim>& grasp) {
         std::vector<Load<Dim>> loads = grasp.loads();
         std::vector<Contact<Dim>> contacts = given_contacts(grasp);
         change(loads, contacts);
-        return std::make_shared<AnyGrasp>(
-            AnyGrasp{Grasp<Dim>(loads, contacts, 1, grasp.mechanism())});
+        return std::make_shared<AnyGrasp>(AnyGrasp{Grasp<Dim>(
+            loads, contacts, 1, drives == Drives::same ? grasp.mechanism() : Mechanism<Dim>())});
       },
       any.of);
 }
 
 std::shared_ptr<AnyGrasp> with_weight(const AnyGrasp& grasp, double weight) {
-  return like(grasp, [&](auto& loads, auto&) {
+  return like(grasp, Drives::same, [&](auto& loads, auto&) {
     for (auto& load : loads) load.weight = weight;
   });
 }
 
 std::shared_ptr<AnyGrasp> with_friction(const AnyGrasp& grasp, double factor) {
-  return like(grasp, [&](auto&, auto& contacts) {
+  return like(grasp, Drives::same, [&](auto&, auto& contacts) {
     for (auto& contact : contacts) {
       contact.friction *= factor;
       contact.torsion *= factor;
@@ -195,7 +197,7 @@ std::shared_ptr<AnyGrasp> with_friction(const AnyGrasp& grasp, double factor) {
 }
 
 std::shared_ptr<AnyGrasp> without_limits(const AnyGrasp& grasp) {
-  return like(grasp, [](auto&, auto& contacts) {
+  return like(grasp, Drives::unlimited, [](auto&, auto& contacts) {
     for (auto& contact : contacts) {
       contact.min_normal = 0;
       if (std::isfinite(contact.max_normal)) contact.max_normal = 0;

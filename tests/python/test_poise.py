@@ -610,10 +610,14 @@ class Capacities(unittest.TestCase):
         self.assertEqual(math.isinf(weights.greatest.weight), shown["any"])
         if not shown["any"]:
             self.assertEqual(weights.greatest.weight, shown["greatest"])
-            decide = poise.deciding(grasp, up, weights.greatest.dual)
+            proof = weights.greatest.dual, weights.greatest.rates
+            self.assertEqual(proof[1].tolist(), shown.get("greatest_rates", []))
+            decide = poise.deciding(grasp, up, *proof)
             for contact, expected in zip(decide, shown["contacts"], strict=True):
                 self.assertEqual(contact.per_newton, expected["per_newton"])
                 self.assertEqual(contact.slipping, expected["slipping"])
+            drives = poise.deciding_drives(grasp, up, *proof)
+            self.assertEqual(drives, [drive["per_newton"] for drive in shown["drives"]])
 
     def check_file(self, file):
         """As the program says, in a posture that both have without rounding."""
@@ -630,14 +634,32 @@ class Capacities(unittest.TestCase):
                 self.check_hold(capacity.friction.hold, shown["friction"]["hold"])
             self.assertEqual(capacity.friction.bound, shown["friction"]["bound"])
             self.assertEqual(capacity.friction.dual.tolist(), shown["friction"]["dual"])
+            self.assertEqual(
+                capacity.friction.rates.tolist(), shown["friction"].get("rates", [])
+            )
             self.assertEqual(capacity.safe.holdable, shown["command"]["holdable"])
             if capacity.safe.holdable:
                 self.check_hold(capacity.safe, shown["command"])
+                self.assertEqual(capacity.safe.grip, shown["command"]["grip"])
 
     def test_they_are_those_of_the_program(self):
         for name in ["hexagon-three-fingers", "ito-fig6", "tray", "box-hard-jaws", "box-soft-jaws"]:
             with self.subTest(name):
                 self.check_file(ROOT / "examples" / f"{name}.yaml")
+
+    def test_those_of_limited_drives_are_those_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "jaws.yaml"
+            file.write_text(
+                "poise: 1\ndimension: 2\nobject: {weight: 10, com: [0, 0]}\ndrives: coupled\n"
+                "fingers: {left: {max_force: 20}}\ncontacts:\n"
+                "  - {position: [-1, 0], normal: [1, 0], friction: 0.3, finger: left}\n"
+                "  - {position: [1, 0], normal: [-1, 0], friction: 0.3, finger: right}\n"
+            )
+            self.check_file(file)
+            capacity = poise.capacity(poise.load(file).grasp(), [0, 1], 1.5)
+            self.assertAlmostEqual(capacity.weights.greatest.bound, 2 * 20 * 0.3, delta=1e-7)
+            self.assertAlmostEqual(capacity.safe.grip, 1.5 * 10 / (2 * 0.3), delta=1e-6)
 
     def test_two_opposed_fingers_hold_twice_their_friction(self):
         for zero in [[], [0]]:
