@@ -32,11 +32,11 @@ RC_GTEST_PROP(BestPosture, NoPostureOfTheDomainNeedsLess, ()) {
     if (!sampled.holdable) continue;
     RC_ASSERT(best.holdable());
     const Optimum& least = best.best().optimum;
-    RC_ASSERT(sampled.effort >= least.effort - tolerance(best.proof.curve, least));
+    RC_ASSERT(sampled.effort >= least.value - tolerance(best.proof.curve, least));
     RC_ASSERT(best.proof.worst.has_value());
     const Optimum& most = best.proof.worst->optimum;
     if (moderate(grasp, sampled.effort))
-      RC_ASSERT(sampled.effort <= most.effort + tolerance(best.proof.curve, most));
+      RC_ASSERT(sampled.effort <= most.value + tolerance(best.proof.curve, most));
   }
 }
 

@@ -488,14 +488,14 @@ RC_GTEST_PROP(Optima, AreThoseThatAFineScanFinds, ()) {
     if (!(V < before * (1 - 1e-9) && V < after * (1 - 1e-9))) continue;
     // The scan has a minimum here, so there is one within a step.
     RC_ASSERT(std::any_of(curve.optima.begin(), curve.optima.end(), [&](const Optimum& o) {
-      return !o.maximum && o.effort <= V * (1 + 1e-9) + rounding(curve, o.angle) &&
+      return !o.maximum && o.value <= V * (1 + 1e-9) + rounding(curve, o.angle) &&
              distance(o, scan.angles[i]) <= 1.001 * scan.step;
     }));
   }
   if (!std::isfinite(least)) return;
   RC_ASSERT(!curve.optima.empty());
   const Optimum& best = curve.optima.front();
-  RC_ASSERT(best.effort <= least * (1 + 1e-9) + rounding(curve, best.angle));
+  RC_ASSERT(best.value <= least * (1 + 1e-9) + rounding(curve, best.angle));
 
   // The other way round: between a minimum and the next maxima V rises, as the scan must see.
   for (const Optimum& optimum : curve.optima) {
