@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "verify/checks.hpp"
-#include "verify/fork.hpp"
+#include "verify/manner.hpp"
 #include "verify/trig.hpp"
 
 namespace poise::verify {
@@ -51,7 +51,8 @@ void check_fingers(Verdict& verdict, const Path& place, const RealGrasp& grasp,
   const bool complete = hold.fingers.size() == grasp.fingers.size();
   verdict.check(place / "fingers", "there are as many fingers as the grasp has", complete);
   if (!complete) return;
-  bool all_loaded = true, clear = true;
+  bool clear = true;
+  std::size_t loaded = 0;
   for (std::size_t k = 0; k < hold.fingers.size(); ++k) {
     const FingerClaim<Dim>& finger = hold.fingers[k];
     const Path here = (place / "fingers")[k];
@@ -68,17 +69,17 @@ void check_fingers(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                   std::abs(finger.pressing_force.value_or(0) - sum.force.dot(closing)),
                   rounding * sum.size);
     if (is_beside(sum.normal, at_limit * load.weight, load.weight)) clear = false;
-    all_loaded = all_loaded && sum.normal > at_limit * load.weight;
+    if (sum.normal > at_limit * load.weight) ++loaded;
   }
   verdict.check(place / "all_loaded", "all_loaded follows from the fingers",
-                !clear || hold.all_loaded == all_loaded);
-  const Fork cradled = fork(grasp, load, real(hold.up));
-  const bool resting = grasp.fingers.size() == 1 || !all_loaded;
-  verdict.check(place / "manner", "manner follows from forces and posture",
-                !clear || (resting                ? hold.manner == Manner::resting
-                           : cradled == Fork::yes ? hold.manner == Manner::cradled
-                           : cradled == Fork::no  ? hold.manner == Manner::pinched
-                                                  : hold.manner != Manner::resting));
+                !clear || hold.all_loaded == (loaded == hold.fingers.size()));
+  const Friction friction =
+      loaded > 1 ? friction_for(grasp, load, real(hold.up)) : Friction::unclear;
+  verdict.check(place / "manner", "manner follows from the forces",
+                !clear || (loaded <= 1                      ? hold.manner == Manner::resting
+                           : friction == Friction::needless ? hold.manner == Manner::cradled
+                           : friction == Friction::needed   ? hold.manner == Manner::pinched
+                                                            : hold.manner != Manner::resting));
 }
 
 /// Checks what the drives do, and the grip.

@@ -479,13 +479,6 @@ class Curves(unittest.TestCase):
             np.testing.assert_allclose(rotate(turn, before), [0, 0, 1], atol=1e-12)
             self.assertAlmostEqual(2 * np.arccos(turn[0]), np.arccos(before[2]))
 
-    def test_cradled(self):
-        low = [poise.Contact([x, 0, 0], [0, 0, 1], 0.5) for x in (-1, 0.5)]
-        low += [poise.Contact([0, y, 0], [0, 0, 1], 0.5) for y in (-1, 1)]
-        grasp = poise.Grasp(poise.Object(1, [0, 0, 1]), low)
-        self.assertTrue(poise.cradled(grasp, [0, 0, 1]))
-        self.assertFalse(poise.cradled(grasp, [0, 0, -1]))
-
     def test_plot_of_the_sphere(self):
         import matplotlib
 
@@ -953,7 +946,6 @@ class Misuse(unittest.TestCase):
     def test_dimensions(self):
         planar, spatial = disk(), random_spatial_grasp(np.random.default_rng(17), 3)
         self.check("grasp", poise.posture_curve, spatial)
-        self.check("grasp", poise.cradled, planar, [0, 0, 1])
         self.check("grasp", poise.best_posture, [planar, planar])
         self.check("grasp", poise.plot, [spatial, planar])
         self.check("tilt", poise.best_posture, planar, tilt=poise.Tilt([0, 0, 1], 0.5))
@@ -971,7 +963,7 @@ class Misuse(unittest.TestCase):
             repr(grasp), "Grasp(weight=10 N, 2 contacts, fingers=['right', 'left'])"
         )
         self.assertEqual(
-            repr(best.best), "PlanarPosture(165.00 deg, effort=80.3848 N^2, cradled, kink)"
+            repr(best.best), "PlanarPosture(165.00 deg, value=80.3848, cradled, kink)"
         )
         for value in [best, best.curve, best.best.hold, best.curve.arcs[0], best.curve.domain]:
             self.assertRegex(repr(value), r"^\w+\(.*\)$")

@@ -1,0 +1,14 @@
+// Whether friction carries, decided from the contacts alone.
+#pragma once
+
+#include "verify/statics.hpp"
+
+namespace poise::verify {
+
+/// Unclear: near the limit.
+enum class Friction { needless, needed, unclear };
+
+/// Whether a load is held without any friction, within the contacts' limits, in the posture `up`.
+Friction friction_for(const RealGrasp& grasp, const RealLoad& load, const Vec& up);
+
+}  // namespace poise::verify
