@@ -61,15 +61,26 @@ class GripTracer {
   /// About the object frame's origin, per unit of the grip.
   Twist<2> told(const Twist<2>& y) const { return about_origin(hand_, unit_ / weight_, y); }
 
+  /// Power is convex in (y, rates): of rates alone so much is mixed in that rounding of a long y
+  /// leaves no contact that a drive closes any power.
+  static void round_down(Twist<2>& y, std::vector<double>& rates) {
+    const double part = std::min(1e-14 * y.cwiseAbs().sum(), 1e-8);
+    y *= 1 - part;
+    for (double& rate : rates)
+      rate = (1 - part) * rate + part / static_cast<double>(rates.size());
+  }
+
   void add_arc(const dual::GripPiece& found, const Interval& piece) {
     Arc& arc = curve_.arcs.emplace_back();
     arc.from = piece.from;
     arc.to = piece.to;
     const Harmonic1 F = harmonic(found.F, unit_);
     arc.value = {F.c0, F.cos1, F.sin1, 0, 0};
-    const Twist<2> y = told(found.y);
-    for (std::size_t k = 0; k < 3; ++k) arc.y[k].c0 = y[static_cast<Eigen::Index>(k)];
+    Twist<2> y = found.y;
     arc.rates = found.rates;
+    round_down(y, *arc.rates);
+    y = told(y);
+    for (std::size_t k = 0; k < 3; ++k) arc.y[k].c0 = y[static_cast<Eigen::Index>(k)];
     arc.first_state = curve_.states.size();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const Affine &n = found.normals[i], &t = found.tangentials[i];

@@ -144,11 +144,15 @@ void check_grip_bound(Verdict& verdict, const Path& place, const RealGrasp& gras
                 (hold.lower_bound - std::max<Real>(proven, 0)) / unit, 1e-7L);
 }
 
-/// What the balance may be off by [weights]: what finds grips, and holds within limits of drives,
-/// ends earlier.
+/// What the balance may be off by, and a force outside of its cone [weights]: what finds grips, and
+/// holds within limits of drives, ends earlier.
+struct Allowed {
+  Real balance, cone;
+};
 template <int Dim>
-Real most_off(const HoldClaim<Dim>& hold) {
-  return hold.objective == Objective::grip || hold.rates ? 1e-8L : 1e-11L;
+Allowed allowed_of(const HoldClaim<Dim>& hold) {
+  const bool drives = hold.objective == Objective::grip || hold.rates;
+  return drives ? Allowed{1e-8L, 1e-10L} : Allowed{1e-11L, 0};
 }
 
 template <int Dim>
@@ -169,6 +173,7 @@ void check_forces(Verdict& verdict, const Path& place, const RealGrasp& grasp, c
   verdict.check(place / "force_norm", "force_norm is the root of effort",
                 difference(hold.force_norm, std::sqrt(Real{hold.effort})), rounding);
 
+  const Allowed allowed = allowed_of(hold);
   // What the forces lose by their rounding [weights].
   const Real digits = 1e-14L * (1 + std::sqrt(effort) / load.weight) * Real(forces.size());
   Vec off = wrench(load, real(hold.up));
@@ -179,11 +184,11 @@ void check_forces(Verdict& verdict, const Path& place, const RealGrasp& grasp, c
       off.tail(3) -= Real{hold.contacts[i].torsion_moment.value_or(0)} * contact.normal;
     verdict.check((place / "contacts")[i],
                   "force is within the friction cone and its limits [weights]",
-                  outside(contact, forces[i]) / load.weight, digits);
+                  outside(contact, forces[i]) / load.weight, allowed.cone + digits);
   }
   const Real residual = relative_size(off, load);
   verdict.check(place, "forces balance the load [weights]", residual,
-                most_off(hold) + digits);
+                allowed.balance + digits);
   verdict.check(place / "residual", "residual is the error of the balance [weights]",
                 std::abs(hold.residual - residual), 1e-11L + digits);
   check_fingers(verdict, place, grasp, load, hold);
