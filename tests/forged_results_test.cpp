@@ -51,7 +51,7 @@ Json squeezed(const GraspFile& box, double s, double turning) {
     Json &contact = result["contacts"][i], &finger = result["fingers"][i];
     const double n = contact["normal_force"].get<double>() + s;
     const double t = contact["tangential_force"], y = contact["force"][1];
-    contact["normal_force"] = finger["normal_force"] = result["grip_force"] = n;
+    contact["normal_force"] = finger["normal_force"] = n;
     contact["force"][1] = finger["force"][1] = y < 0 ? -n : n;
     contact["friction_used"] = t / (0.4 * n);
     if (s > 0) contact["state"] = "sticking";
@@ -122,7 +122,7 @@ TEST(ForgedResults, HaveOptionsThatTheProgramTakes) {
   forged["options"]["safety"] = 2;
   expect_refuted(box, forged, "safety is an option of the command");
   forged = best;
-  forged["options"]["domain"] = "pinched";
+  forged["options"]["domain"] = "pinching-up";
   expect_refuted(box, forged, "domain is all in space");
 }
 
@@ -318,6 +318,89 @@ TEST(ForgedResults, HoldNoMoreAndNoLessThanTheyCan) {
   forged = result;
   forged["options"]["safety"] = 1.2;
   EXPECT_NE(problem(file, forged), "");
+}
+
+/// The same of a gripper whose drive limits it, and what it commands.
+TEST(ForgedResults, HoldNoMoreThanTheirDrivesGive) {
+  const GraspFile file = grasp_from_yaml(
+      "poise: 1\ndimension: 3\nobject: {weight: 10, com: [0, 0, 0]}\ndrives: coupled\n"
+      "fingers: {left: {max_force: 20}}\ncontacts:\n"
+      "  - {position: [-1, 0, 0], normal: [1, 0, 0], friction: 0.3, torsion: 0.1, finger: left}\n"
+      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 0.3, torsion: 0.1, finger: right}\n",
+      "jaws.yaml");
+  const Json result = result_of(file, {.command = Command::capacity, .up = {0, 0, 1}});
+  EXPECT_EQ(problem(file, result), "");
+  const Json& at = result["capacities"][0];
+  EXPECT_NEAR(at["weight"]["greatest_bound"], 2 * 20 * 0.3, 1e-7);
+  EXPECT_NEAR(at["command"]["grip"], 1.5 * 10 / (2 * 0.3), 1e-6);  // more than the drive gives
+  const auto refuted = [&](const std::string& what, const auto& change, const std::string& by) {
+    SCOPED_TRACE(what);
+    Json forged = result;
+    change(forged["capacities"][0]);
+    expect_refuted(file, forged, by);
+  };
+  const char* const of_bound = "no weight beyond the bound can be held, by its dual";
+  for (const double factor : {0.5, 0.999, 1.001})
+    refuted(
+        "rates",
+        [&](Json& forged) {
+          Json& rate = forged["weight"]["greatest_rates"][0];
+          rate = factor * rate.template get<double>();
+        },
+        of_bound);
+  refuted(
+      "no rates", [](Json& forged) { forged["weight"].erase("greatest_rates"); }, of_bound);
+  refuted(
+      "rates below 0", [](Json& forged) { forged["weight"]["greatest_rates"][0] = -1; },
+      "rates are of drives with a max");
+  refuted(
+      "rates of more drives", [](Json& forged) { forged["weight"]["greatest_rates"].push_back(0); },
+      "rates are of drives with a max");
+  refuted(
+      "per_newton", [](Json& forged) { forged["weight"]["drives"][0]["per_newton"] = 0.61; },
+      "per_newton is the rate of the drive");
+  refuted(
+      "a drive's name", [](Json& forged) { forged["weight"]["drives"][0]["name"] = "left"; },
+      "name is that of the drive");
+  refuted(
+      "no drives", [](Json& forged) { forged["weight"]["drives"] = Json::array(); },
+      "each drive decides or not");
+  refuted(
+      "more than the drive gives",
+      [&](Json& forged) { forged["weight"]["greatest_hold"] = at["command"]; },
+      "effort is at most max");
+  refuted(
+      "any weight",
+      [&](Json& forged) {
+        Json& weight = forged["weight"];
+        weight["any"] = true;
+        weight["greatest"] = weight["greatest_bound"] = nullptr;
+        weight["greatest_dual"] = {0, 0, 0, 0, 0, 0};
+        weight.erase("greatest_rates");
+        weight["contacts"] = weight["drives"] = Json::array();
+        weight["greatest_hold"] = result_of(file, {.command = Command::hold, .up = {0, 0, 1}});
+        for (const char* key : {"poise_result", "command", "options"})
+          weight["greatest_hold"].erase(key);
+      },
+      "drives with a max do nothing");
+  refuted(
+      "less friction",
+      [](Json& forged) {
+        Json& rate = forged["friction"]["rates"][0];
+        rate = 0.99 * rate.template get<double>();
+      },
+      "with less friction the weight cannot be held");
+  refuted(
+      "a smaller grip", [](Json& forged) { forged["command"]["grip"] = 20; },
+      "grip is the greatest effort of a drive");
+  refuted(
+      "another objective",
+      [&](Json& forged) {
+        Json hold = result_of(file, {.command = Command::hold, .up = {0, 0, 1}});
+        for (const char* key : {"poise_result", "command", "options"}) hold.erase(key);
+        forged["command"] = hold;
+      },
+      "the command is the least grip");
 }
 
 // A million times the friction is said not to be enough, though the stop, which presses with less

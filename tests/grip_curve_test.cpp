@@ -96,6 +96,20 @@ RC_GTEST_PROP(GripCurve, EndsWhereADriveIsAtItsMax, ()) {
   check_curve(held, mechanism);
 }
 
+/// Where one finger carries all of it, just within its max.
+TEST(GripCurve, HoldsAPostureThatMeetsAMaxExactly) {
+  Mechanism<2> mechanism;
+  for (const char* name : {"a", "b"}) mechanism.fingers.push_back({.name = name, .max_force = 10});
+  const Grasp<2> grasp({.weight = 10},
+                       {{.position = {-1, 0}, .normal = {1, 0}, .friction = 0.4, .finger = "a"},
+                        {.position = {1, 0}, .normal = {-1, 0}, .friction = 0.4, .finger = "b"}},
+                       1, mechanism);
+  const Best<2> best = best_posture(grasp, for_grip);
+  ASSERT_EQ(best.minima.size(), 2U);
+  EXPECT_NEAR(best.best().value(), 10, 1e-7);
+  EXPECT_NEAR(std::abs(best.best().optimum.angle), pi / 2, 1e-7);
+}
+
 /// On an arc F'' = -F < 0.
 RC_GTEST_PROP(GripCurve, WithoutLimitsIsLeastAtKinksAndEnds, ()) {
   const Held held = *grasps({.most_contacts = 6, .limits = false, .awkward = false});

@@ -306,6 +306,26 @@ RC_GTEST_PROP(LeastGrip, NearTheLimitOfHoldingIsProven, ()) {
   check_least_grip<3>(held.grasp(), space::random_direction());
 }
 
+/// Points are solved by ascent, pads by the interior-point method.
+RC_GTEST_PROP(LeastGrip, ByAscentIsThatOfTheInteriorPointMethod, ()) {
+  space::Held held = *space::grasps({.least_contacts = 2, .most_contacts = 6, .awkward = false});
+  for (Contact<3>& contact : held.contacts) {
+    contact.torsion = 0;
+    contact.share = 1;
+  }
+  const Grasp<3> as_points = held.grasp();
+  for (Contact<3>& contact : held.contacts)
+    contact.pad = Pad{.points = {Vector<3>::Zero()},
+                      .shares = {1},
+                      .axis = Vector<3>(tangents(contact.normal.normalized()).col(0))};
+  const Grasp<3> as_pads = held.grasp();
+  const Vector<3> up = space::random_direction();
+  const double points = least(as_points, up), pads = least(as_pads, up), W = held.object.weight;
+  RC_ASSERT((points < infinity) == (pads < infinity));
+  if (points < infinity)
+    RC_ASSERT(std::abs(points - pads) <= (points < 100 * W ? 1e-7 : 1e-6) * (1e-6 * W + points));
+}
+
 RC_GTEST_PROP(LeastGrip, GrowsWithTheLoad, ()) {
   const space::Held held = *space::grasps({.least_contacts = 2, .limits = false, .awkward = false});
   const Grasp<3> grasp = held.grasp();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "poise/grip.hpp"
 #include "random_grasps.hpp"
 #include "second_sources.hpp"
 
@@ -236,14 +237,12 @@ RC_GTEST_PROP(Hold, FingersAddUpTheirContacts, ()) {
   }
   RC_ASSERT(fingers.size() == grasp.fingers().size());
   Vector<2> sum = Vector<2>::Zero();
-  double most = 0;
   for (std::size_t k = 0; k < fingers.size(); ++k) {
     double own = 0;
     for (std::size_t i = 0; i < found.forces.size(); ++i)
       if (grasp.finger_of(i) == k) own += found.forces[i].normal;
     RC_ASSERT(close(fingers[k].normal, own, 1e-12L));
     sum += fingers[k].force;
-    most = std::max(most, own);
   }
   const double norm = std::sqrt(found.effort);
   RC_ASSERT((sum - held.object.weight * up).norm() <= 1e-11 * held.object.weight + 1e-13 * norm);

@@ -181,7 +181,7 @@ TEST(PaperExact, CaseListIsTheGeneralSolver) {
                                     disk.d2() > 0 ? std::abs(left.slope(at)) : 0);
       const double off = std::abs(found[i].angle - at);
       ASSERT_LT(off, 1e-8);
-      ASSERT_NEAR(found[i].effort, expected[i].V, 1e-9 * expected[i].V + (2 * off + 1e-12) * steep);
+      ASSERT_NEAR(found[i].value, expected[i].V, 1e-9 * expected[i].V + (2 * off + 1e-12) * steep);
       ASSERT_EQ(found[i].kind, expected[i].kind);
     }
   }

@@ -37,7 +37,7 @@ TEST(Paper, TableOfOptimaIsReproduced) {
     }
     const Optimum* b = minimum_at(best.proof.curve, theta_b);
     ASSERT_TRUE(b);
-    EXPECT_NEAR(b->effort, row.V_b, row.rounding + 1e-9 * row.V_b);
+    EXPECT_NEAR(b->value, row.V_b, row.rounding + 1e-9 * row.V_b);
     EXPECT_EQ(b->kind, Kind::kink);
 
     ASSERT_TRUE(best.best_pinched());

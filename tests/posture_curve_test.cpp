@@ -289,7 +289,7 @@ void expect_same(const std::vector<Optimum>& a, std::vector<Optimum> b) {
   const auto matches = [](const Optimum& x, const Optimum& y) {
     // Where V is flat it says little about where its optimum is.
     const double nearness = x.kind == Kind::smooth ? 1e-4 : 1e-7;
-    return x.maximum == y.maximum && x.kind == y.kind && close(x.effort, y.effort, 1e-8L) &&
+    return x.maximum == y.maximum && x.kind == y.kind && close(x.value, y.value, 1e-8L) &&
            std::abs(std::remainder(x.angle - y.angle, 2 * pi)) < nearness;
   };
   for (const Optimum& x : a) {
@@ -386,7 +386,7 @@ RC_GTEST_PROP(Optima, AreHeldWithTheirEffort, ()) {
         found = hold(grasp, up_at(optimum.angle + off));
     RC_ASSERT(found.holdable);
     // At the end of the holdable set V may be as steep as it likes.
-    RC_ASSERT(close(found.value, optimum.value, optimum.kind == Kind::boundary ? 1e-6L : 1e-9L,
+    RC_ASSERT(close(found.effort, optimum.value, optimum.kind == Kind::boundary ? 1e-6L : 1e-9L,
                     rounding(curve, optimum.angle)));
   }
 }
@@ -397,8 +397,8 @@ RC_GTEST_PROP(Optima, AreInOrder, ()) {
     const Optimum &a = curve.optima[i - 1], &b = curve.optima[i];
     RC_ASSERT(a.maximum <= b.maximum);
     if (a.maximum != b.maximum) continue;
-    const bool tie = close(a.effort, b.effort, 1e-9L);
-    if (!tie) RC_ASSERT((a.effort < b.effort) != a.maximum);
+    const bool tie = close(a.value, b.value, 1e-9L);
+    if (!close(a.value, b.value, 1e-6L)) RC_ASSERT((a.value < b.value) != a.maximum);
     if (tie) RC_ASSERT(std::abs(a.angle) <= std::abs(b.angle) + 1e-8);
   }
 }
@@ -488,14 +488,14 @@ RC_GTEST_PROP(Optima, AreThoseThatAFineScanFinds, ()) {
     if (!(V < before * (1 - 1e-9) && V < after * (1 - 1e-9))) continue;
     // The scan has a minimum here, so there is one within a step.
     RC_ASSERT(std::any_of(curve.optima.begin(), curve.optima.end(), [&](const Optimum& o) {
-      return !o.maximum && o.effort <= V * (1 + 1e-9) + rounding(curve, o.angle) &&
+      return !o.maximum && o.value <= V * (1 + 1e-9) + rounding(curve, o.angle) &&
              distance(o, scan.angles[i]) <= 1.001 * scan.step;
     }));
   }
   if (!std::isfinite(least)) return;
   RC_ASSERT(!curve.optima.empty());
   const Optimum& best = curve.optima.front();
-  RC_ASSERT(best.effort <= least * (1 + 1e-9) + rounding(curve, best.angle));
+  RC_ASSERT(best.value <= least * (1 + 1e-9) + rounding(curve, best.angle));
 
   // The other way round: between a minimum and the next maxima V rises, as the scan must see.
   for (const Optimum& optimum : curve.optima) {

@@ -19,7 +19,7 @@ const Keys unholdable_keys{"holdable",  "up",          "angle_deg", "dual",
 const Keys hold_keys{"objective",  "grip",       "drives",
                      "holdable",   "up",         "angle_deg", "dual",   "lower_bound",
                      "effort",     "force_norm", "residual",  "manner", "all_loaded",
-                     "grip_force", "fingers",    "contacts"};
+                     "fingers",    "contacts"};
 const Keys document_keys{"poise_result", "command", "options"};
 
 Keys with(Keys keys, const Keys& more) {
@@ -61,7 +61,7 @@ void check_hold(const Json& hold, std::size_t contacts, std::size_t fingers) {
     EXPECT_TRUE(hold["reason"].is_string());
     return;
   }
-  for (const char* key : {"effort", "force_norm", "residual", "grip_force"})
+  for (const char* key : {"effort", "force_norm", "residual"})
     EXPECT_TRUE(hold[key].is_number_float()) << key;
   EXPECT_TRUE(hold["all_loaded"].is_boolean());
   EXPECT_TRUE((std::set<std::string>{"resting", "cradled", "pinched"}.count(hold["manner"])));
@@ -172,7 +172,10 @@ TEST(ResultDocument, OfTheBestPostureHasThePromisedKeys) {
       const Json document = parsed(best_text(grasp, settings));
       EXPECT_EQ(keys(document), with(document_keys, best_keys));
       EXPECT_EQ(document["options"],
-                (Json{{"domain", domain == Domain::all ? "all" : "pinched"}, {"force_cap", 1e6}}));
+                (Json{{"domain", domain == Domain::all ? "all" : "pinching-up"},
+                      {"present_deg", 0.0},
+                      {"force_cap", 1e6},
+                      {"objective", "effort"}}));
       EXPECT_EQ(document["status"], "optimal");
       EXPECT_EQ(document["best"], document["minima"][0]);
       EXPECT_LT(std::abs(document["relative_gap"].get<double>()), 1e-9);

@@ -24,7 +24,7 @@ std::string postures_figure(const std::string& title, const HeldDisk& disk) {
         minimum_at(grasp, {.angle = minimum.theta,
                            .from = minimum.theta,
                            .to = minimum.theta,
-                           .effort = minimum.V,
+                           .value = minimum.V,
                            .kind = minimum.name == 'b' ? Kind::kink : minimum.kind});
     script.line("set title '{}: θ = {}, force norm {}' offset 0,-1", minimum.name,
                 degrees_text(minimum.theta), newtons(std::sqrt(minimum.V)));

@@ -2,7 +2,6 @@
 #include <cstdio>
 
 #include "poise/capacity.hpp"
-#include "poise/grip.hpp"
 
 int main() {
   const poise::Contact<2> left{.position = {-0.03, 0},
@@ -18,7 +17,7 @@ int main() {
   const poise::Capacity<2> capacity = poise::capacity(hand, block, poise::up_at(0), 1.5);
   std::printf("greatest weight %.3f N\n", capacity.weights.greatest.weight);
   std::printf("greatest safety on the friction %.3f\n", 1 / capacity.friction.factor);
-  std::printf("grip to command %.3f N\n", poise::grip<2>(hand, capacity.safe.hold()));
+  std::printf("grip to command %.3f N\n", capacity.safe.hold().grip);
 
   // What would help? What one more newton of a jaw brings, as the proof says.
   const std::vector<poise::Deciding>& deciding = capacity.weights.deciding;

@@ -207,7 +207,11 @@ CurveAnswer curve(const PlanarFile& file, const Grasp<2>& grasp, const Question&
 
 std::optional<Vector<2>> best_up(const PlanarFile& file, const Grasp<2>& grasp,
                                  const Question& question) {
-  const Best<2> best = best_posture(grasp, curve_settings(file, question));
+  CurveSettings settings = curve_settings(file, question);
+  // The curve of the effort knows no limits of drives.
+  if (grasp.is_general()) settings.objective = Objective::grip;
+  if (settings.objective == Objective::grip && !has_grip<2>(grasp)) return {};
+  const Best<2> best = best_posture(grasp, settings);
   return best.holdable() ? std::optional(best.best().up) : std::nullopt;
 }
 

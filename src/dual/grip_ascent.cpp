@@ -41,9 +41,7 @@ template <bool limited>
                                                            const ContactLane<3>& c,
                                                            const SpaceVelocity<Lane>& z) {
   const SpaceForce<Lane> f = project<limited>(cones, c, z);
-  return {{z.normal, z.a, z.b, z.turn},
-          {f.n, f.kept * z.a, f.kept * z.b, f.kept * z.turn},
-          z.over};
+  return {{z.normal, z.a, z.b, z.turn}, {f.n, f.kept * z.a, f.kept * z.b, f.kept * z.turn}, z.over};
 }
 template <bool limited>
 [[gnu::always_inline]] inline LaneForces<2, double> forces(const Cones<2>& cones,
@@ -101,6 +99,50 @@ template <int Dim>
 using Velocity = std::conditional_t<Dim == 2, PlaneVelocity<Lane>, SpaceVelocity<Lane>>;
 
 using Numbers = SmallVector<double, 17>;  // of the drives, and one more for contacts without
+
+/// Makes (y, rates) a proof to the last digit, and the rates add up to 1 if there are any. Their
+/// sum before.
+template <int Dim>
+double prove(const Cones<Dim>& cones, const Driven<Dim>& driven, LeastGrip<Dim>& found) {
+  const std::size_t drives = driven.drives.size();
+  // A contact that could still do power gets a little more of its drive.
+  found.fixed = 0;
+  const double rounding = 4 * rounding_of<double> * l1_norm(found.y);
+  const auto proven = twist_of_lane<double>(found.y);
+  for (int round = 0; round < 2; ++round) {
+    const std::size_t* drive = driven.drive_of.data();
+    Numbers more(drives + 1);
+    std::fill(more.begin(), more.end(), 0.0);
+    for (std::size_t k = 0; k < cones.lanes.size(); ++k) {
+      Lane rate{};
+      for (std::size_t i = 0; i < lane_size; ++i)
+        if (drive[i] < drives) rate[i] = found.rates[drive[i]];
+      const ContactLane<Dim>& c = cones.lanes[k];
+      const auto z = less(c, velocity(c, proven), driven.lanes[k], rate);
+      const auto alone = less(c, Velocity<Dim>{}, driven.lanes[k], Lane{} + 1.0);
+      for (std::size_t i = 0; i < lane_size; ++i) {
+        if (!(c.share[i] > 0)) continue;
+        const double power = z.power[i] + rounding, lo = cones.scaled(c.lo)[i],
+                     hi = cones.scaled(c.hi)[i];
+        if (round == 0) {
+          if (power > 0 && !(hi < 1e300) && alone.power[i] < 0)
+            more[drive[i]] = std::max(more[drive[i]], power / -alone.power[i]);
+        } else {
+          found.fixed += power <= 0 ? power * lo : power * std::min(hi, 1e6);
+        }
+      }
+      drive += lane_size;
+    }
+    for (std::size_t a = 0; a < drives; ++a) found.rates[a] += (1 + 1e-12) * more[a];
+  }
+  double sum = 0;
+  for (const double rate : found.rates) sum += rate;
+  if (!(sum > 0)) return 0;
+  found.y /= sum;
+  found.fixed /= sum;
+  for (double& rate : found.rates) rate /= sum;
+  return sum;
+}
 
 template <int Dim, bool limited>
 class GripAscent {
@@ -191,16 +233,15 @@ void GripAscent<Dim, limited>::find_efforts(const Stand& at, Numbers& efforts,
 template <int Dim, bool limited>
 bool GripAscent<Dim, limited>::fill(Stand& at, double sum) {
   const auto twist = twist_of_lane<double>(at.point.y);
-  for (std::size_t k = 0; k < cones_.lanes.size(); ++k)
-    free_[k] = velocity(cones_.lanes[k], twist);
+  for (std::size_t k = 0; k < cones_.lanes.size(); ++k) free_[k] = velocity(cones_.lanes[k], twist);
   at.rates[drives_] = 0;
   for (int round = 0; round < 30; ++round) {
     const std::size_t* drive = driven_.drive_of.data();
     for (std::size_t k = 0; k < cones_.lanes.size(); ++k) {
       Lane rate;
       for (std::size_t i = 0; i < lane_size; ++i) rate[i] = at.rates[*drive++];
-      at.point.lanes[k] = forces<limited>(
-          cones_, cones_.lanes[k], less(cones_.lanes[k], free_[k], driven_.lanes[k], rate));
+      at.point.lanes[k] = forces<limited>(cones_, cones_.lanes[k],
+                                          less(cones_.lanes[k], free_[k], driven_.lanes[k], rate));
     }
     find_efforts(at, efforts_, slope_);
     // What is left of linear efforts, cut at F.
@@ -395,45 +436,12 @@ bool GripAscent<Dim, limited>::finish(LeastGrip<Dim>& found) {
   found.y = proof.y;
   found.rates.resize(drives_);
   for (std::size_t a = 0; a < drives_; ++a) found.rates[a] = std::max(0.0, proof.rates[a]);
-  // A contact that could still do power gets a little more of its drive.
-  found.fixed = 0;
-  const double rounding = 4 * rounding_of<double> * l1_norm(found.y);
-  const auto proven = twist_of_lane<double>(found.y);
-  for (int round = 0; round < 2; ++round) {
-    drive = driven_.drive_of.data();
-    Numbers more(drives_ + 1);
-    std::fill(more.begin(), more.end(), 0.0);
-    for (std::size_t k = 0; k < cones_.lanes.size(); ++k) {
-      Lane rate{};
-      for (std::size_t i = 0; i < lane_size; ++i)
-        if (drive[i] < drives_) rate[i] = found.rates[drive[i]];
-      const ContactLane<Dim>& c = cones_.lanes[k];
-      const auto z = less(c, velocity(c, proven), driven_.lanes[k], rate);
-      const auto alone = less(c, Velocity<Dim>{}, driven_.lanes[k], Lane{} + 1.0);
-      for (std::size_t i = 0; i < lane_size; ++i) {
-        if (!(c.share[i] > 0)) continue;
-        const double power = z.power[i] + rounding, lo = cones_.scaled(c.lo)[i],
-                     hi = cones_.scaled(c.hi)[i];
-        if (round == 0) {
-          if (power > 0 && !(hi < 1e300) && alone.power[i] < 0)
-            more[drive[i]] = std::max(more[drive[i]], power / -alone.power[i]);
-        } else {
-          found.fixed += power <= 0 ? power * lo : power * std::min(hi, 1e6);
-        }
-      }
-      drive += lane_size;
-    }
-    for (std::size_t a = 0; a < drives_; ++a) found.rates[a] += (1 + 1e-12) * more[a];
-  }
-  double sum = 0;
-  for (const double rate : found.rates) sum += rate;
-  if (!(sum > 0)) return false;
-  for (double& rate : found.rates) rate /= sum;
+  if (!(prove(cones_, driven_, found) > 0)) return false;
   // In the unit of scaled_grip().
   const double unit = driven_.alike ? 1 : 1 / cones_.per_weight;
   found.value *= unit;
-  found.y *= unit / sum;
-  found.fixed *= unit / sum;
+  found.y *= unit;
+  found.fixed *= unit;
   const double bound = found.y.dot(w_) - found.fixed;
   return found.value - bound <= most_gap * found.value;
 }
@@ -449,6 +457,20 @@ bool least_grip(const Problem<Dim>& problem, const Driven<Dim>& driven, const Wr
   });
 }
 
+template <int Dim>
+bool refute(const Problem<Dim>& problem, const Driven<Dim>& driven, const Wrench<Dim>& w,
+            double most, LeastGrip<Dim>& found) {
+  found.value = std::numeric_limits<double>::infinity();
+  found.rates.resize(driven.drives.size());
+  std::fill(found.rates.begin(), found.rates.end(), 0.0);
+  found.y /= l1_norm(found.y);
+  const double sum = prove<Dim>(problem, driven, found);
+  const double proven = found.y.dot(w) - found.fixed;
+  return sum > 0 ? proven > 2 * most : proven > 1e-9;
+}
+
+template bool refute(const Problem<2>&, const Driven<2>&, const Wrench<2>&, double, LeastGrip<2>&);
+template bool refute(const Problem<3>&, const Driven<3>&, const Wrench<3>&, double, LeastGrip<3>&);
 template bool least_grip(const Problem<2>&, const Driven<2>&, const Wrench<2>&, const Point<2>&,
                          LeastGrip<2>&);
 template bool least_grip(const Problem<3>&, const Driven<3>&, const Wrench<3>&, const Point<3>&,

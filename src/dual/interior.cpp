@@ -654,6 +654,7 @@ Balance<Dim> Interior<Dim, T>::run() {
   using std::abs;
   Found best{};
   best.error = infinity;
+  keep(best);  // where numbers overflow at once there is something to tell, too
   int last_better = 0;
   for (best.steps = 0;; ++best.steps) {
     find_residuals();

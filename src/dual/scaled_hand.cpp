@@ -128,8 +128,7 @@ Hand<Dim>::Driven::Driven(const Hand<Dim>& hand)
       const Vector<Dim> direction = hand.closing(k);
       closing = closing && !direction.isZero(0);
       Moved moves{coupled ? 0 : k, k, Twist<Dim>::Zero()};
-      moves.twist.template head<Dim>() =
-          direction / (coupled ? static_cast<double>(fingers) : 1);
+      moves.twist.template head<Dim>() = direction / (coupled ? static_cast<double>(fingers) : 1);
       moved.push_back(moves);
       for (const Finger<Dim>& given : mechanism.fingers)
         if (given.name == names[k])
@@ -158,8 +157,9 @@ Hand<Dim>::Driven::Driven(const Hand<Dim>& hand)
     drive_of[i] = moves->drive;
     const Limit& drive = drives[moves->drive];
     const double scale = !alike ? 1 / drive.max : drive.turns ? scaled.per_length : 1;
-    const auto zeta = (dual::columns(cones, i).transpose() *
-                       (scale * about_center(scaled, 1, moves->twist))).eval();
+    const auto zeta =
+        (dual::columns(cones, i).transpose() * (scale * about_center(scaled, 1, moves->twist)))
+            .eval();
     for (int k = 0; k < contact_size<Dim>; ++k)
       lanes[i / lane_size].zeta[k][i % lane_size] = zeta[k];
   }

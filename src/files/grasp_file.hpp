@@ -24,7 +24,7 @@ struct CommonFile {
   std::vector<Load<Dim>> loads{};  ///< one; in space as many as the file has scenarios
   std::vector<Contact<Dim>> contacts{};
   Mechanism<Dim> mechanism{};
-  Objective objective{Objective::grip};
+  Objective objective{Objective::effort};
   /// What is allowed but looks like a mistake: whole lines, "FILE:LINE:COLUMN: path: words".
   std::vector<std::string> warnings{};
 

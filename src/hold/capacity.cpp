@@ -133,16 +133,20 @@ struct Question {
     const Load<Dim> probed{.weight = weight, .com = load.com};
     return solve<Dim>(hand, contacts, friction_factor, probed, up, settings);
   }
-  /// The same, or what proves that there is none.
+  /// Whether limits are too low for a load, and what proves it.
+  bool needs_too_much(const Wrench<Dim>& wrench, double weight, double friction_factor,
+                      Proof<Dim>& proof) const {
+    if (!hand.is_general() || !limited) return false;
+    const LeastPart<Dim> least = least_part(hand, friction_factor, wrench, weight);
+    if (least.state != dual::Balance<Dim>::State::not_held && !(least.part > 1 + 1e-9))
+      return false;
+    proof = {least.y, least.rates};
+    return true;
+  }
+  /// A hold, or what proves that there is none.
   bool holds(double weight, double friction_factor, Hold<Dim>& hold, Proof<Dim>& proof) const {
-    if (hand.is_general() && limited) {
-      const Load<Dim> probed{.weight = weight, .com = load.com};
-      const LeastPart<Dim> least = least_part(hand, friction_factor, probed.at(up), weight);
-      if (least.state == dual::Balance<Dim>::State::not_held || least.part > 1 + 1e-9) {
-        proof = {least.y, least.rates};
-        return false;
-      }
-    }
+    const Load<Dim> probed{.weight = weight, .com = load.com};
+    if (needs_too_much(probed.at(up), weight, friction_factor, proof)) return false;
     hold = friction_factor == 1
                ? this->hold(hand.scaled(), weight)
                : this->hold(hand.scaled().with_friction(friction_factor), weight, friction_factor);
@@ -355,15 +359,21 @@ class WeightSearch {
 
   bool find_least() {
     WeightEnd<Dim>& end = range_.least;
-    least_ = poise::hold<Dim>(asked_.hand, Wrench<Dim>(Wrench<Dim>::Zero()), asked_.load.weight,
-                              Twist<Dim>::Zero(), {asked_.settings.force_cap});
+    const Wrench<Dim> none = Wrench<Dim>::Zero();
+    Proof<Dim> proof;
+    if (!asked_.needs_too_much(none, asked_.load.weight, 1, proof)) {
+      least_ = poise::hold<Dim>(asked_.hand, none, asked_.load.weight, Twist<Dim>::Zero(),
+                                {asked_.settings.force_cap});
+      proof = {least_.dual, least_.rates};
+    }
     from_zero_ = least_.holdable;
     if (from_zero_) {
       end.bound = 0;
       end.dual.setZero();
+      end.rates.resize(0);
       return true;
     }
-    cut({least_.dual, least_.rates});
+    cut(std::move(proof));
     double step = wanted;
     for (int k = 0; k < most_probes && end.bound > 0 && step < 1 && !empty(); ++k) {
       const double weight = end.bound * (1 + step);

@@ -102,15 +102,15 @@ GripUnit unit_for(const Hand<Dim>& hand, dual::Wanted wanted) {
   return wanted == dual::Wanted::grip ? grip_unit(hand) : GripUnit::newton;
 }
 
-void write_contact(const Contact<2>& contact, double normal, const PartForce<2>* parts,
+void write_contact(const Contact<2>& contact, double mu, double normal, const PartForce<2>* parts,
                    std::size_t count, double weight, ContactForce<2>& force,
                    std::vector<Vector<3>>&) {
   force.normal = normal;
   force.tangential = count == 0 ? 0 : weight * parts[0][0];
-  force.friction_used = std::abs(force.tangential) / (contact.friction * normal);
+  force.friction_used = std::abs(force.tangential) / (mu * normal);
 }
 
-void write_contact(const Contact<3>& contact, double normal, const PartForce<3>* parts,
+void write_contact(const Contact<3>& contact, double mu, double normal, const PartForce<3>* parts,
                    std::size_t count, double weight, ContactForce<3>& force,
                    std::vector<Vector<3>>& pad_forces) {
   const Eigen::Matrix<double, 3, 2> tangent = tangents(contact.normal);
@@ -126,20 +126,20 @@ void write_contact(const Contact<3>& contact, double normal, const PartForce<3>*
     force.tangential = tangential(0);
     if (contact.torsion > 0)
       force.torsion_moment = weight * parts[0][2] * contact.torsion / contact.friction;
-    force.friction_used = weight * parts[0].norm() / (contact.friction * normal);
+    force.friction_used = weight * parts[0].norm() / (mu * normal);
     return;
   }
   const dual::PadFrame frame(contact);
   std::size_t k = 0;
   double used = 0;
   for (const Vector<3>& point : contact.pad->points) {
-    const Vector<3> t = contact.friction > 0 ? tangential(k++) : Vector<3>::Zero();
+    const Vector<3> t = mu > 0 ? tangential(k++) : Vector<3>::Zero();
     pad_forces.push_back(t);
     force.tangential += t;
     force.torsion_moment += contact.normal.dot(point.cross(t));
     used += t.norm();
   }
-  force.friction_used = used / (contact.friction * normal);
+  force.friction_used = used / (mu * normal);
   force.center_of_pressure = frame.mean;
   for (std::size_t c = 0; c < 2; ++c) {
     if (!(frame.reach[c] > 0)) continue;
@@ -196,7 +196,7 @@ double scaled_grip(const Hand<Dim>& hand, double weight) {
 
 template <int Dim>
 void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Dim>& cones,
-                   const dual::Balance<Dim>& balance, Hold<Dim>& hold) {
+                   const dual::Balance<Dim>& balance, Hold<Dim>& hold, double friction_factor) {
   const double moment = balance.residual.template tail<wrench_size<Dim> - Dim>().norm();
   hold.residual =
       std::max(balance.residual.template head<Dim>().norm(), hand.radius() > 0 ? moment : 0);
@@ -211,9 +211,10 @@ void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Di
     square += cone.weight * normal * normal;
     for (std::size_t k = cone.first; k < cone.last; ++k)
       square += cones.parts[k].weight * balance.tangentials[k].squaredNorm();
-    write_contact(contact, weight * normal, balance.tangentials.data() + cone.first,
+    const double mu = contact.friction * friction_factor;
+    write_contact(contact, mu, weight * normal, balance.tangentials.data() + cone.first,
                   cone.last - cone.first, weight, force, hold.pad_forces);
-    const bool loaded = normal > at_limit, frictionless = contact.friction == 0;
+    const bool loaded = normal > at_limit, frictionless = mu == 0;
     if (!loaded || frictionless) force.friction_used = loaded ? 1 : 0;
     force.friction_used = std::min(force.friction_used, 1.0);
     force.state = !loaded                               ? ContactState::unloaded
@@ -247,7 +248,7 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
   hold.holdable = found.state != State::not_held && found.error <= most_error &&
                   2 * found.value <= settings.force_cap * settings.force_cap;
   if (hold.holdable) {
-    write_balance(hand, weight, cones, found, hold);
+    write_balance(hand, weight, cones, found, hold, friction_factor);
     hold.holdable = hold.residual <= most_error;
   }
   if (!hold.holdable) {
@@ -323,7 +324,7 @@ LeastPart<Dim> least_part(const Hand<Dim>& hand, double friction_factor, const W
   template dual::ConeHand<Dim> cone_hand(const Hand<Dim>&, double, dual::Wanted, double);   \
   template double scaled_grip(const Hand<Dim>&, double);                                    \
   template void write_balance(const Hand<Dim>&, double, const dual::ConeHand<Dim>&,         \
-                              const dual::Balance<Dim>&, Hold<Dim>&);                       \
+                              const dual::Balance<Dim>&, Hold<Dim>&, double);               \
   template LeastPart<Dim> least_part(const Hand<Dim>&, double, const Wrench<Dim>&, double); \
   template Hold<Dim> general_hold(const Hand<Dim>&, double, const Wrench<Dim>&, double,     \
                                   const HoldSettings&);

@@ -20,7 +20,7 @@ double scaled_grip(const Hand<Dim>& hand, double weight);
 /// The forces of what was found, with their states, residual and effort.
 template <int Dim>
 void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Dim>& cones,
-                   const dual::Balance<Dim>& balance, Hold<Dim>& hold);
+                   const dual::Balance<Dim>& balance, Hold<Dim>& hold, double friction_factor = 1);
 
 /// How much of their limits drives and contacts use at least: the greatest part of `max` or
 /// `max_normal` that any of them gives.

@@ -51,9 +51,8 @@ InvalidGrasp problem_of(const Hand<Dim>& hand) {
         return InvalidGrasp("fingers." + hand.fingers()[k] + ".closing",
                             "must be given: the normals of its contacts cancel each other");
   const std::vector<Drive<Dim>> drives = hand.drives();
-  const auto a = std::find_if(drives.begin(), drives.end(), [](const Drive<Dim>& drive) {
-    return !std::isfinite(drive.max);
-  });
+  const auto a = std::find_if(drives.begin(), drives.end(),
+                              [](const Drive<Dim>& drive) { return !std::isfinite(drive.max); });
   return hand.mechanism().kind == DriveKind::listed
              ? InvalidGrasp("drives[" + std::to_string(a - drives.begin()) + "].max",
                             "must be given: the drives are of different kinds, or have "

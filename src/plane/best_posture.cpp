@@ -159,6 +159,7 @@ Minimum<2> minimum_at(const Grasp<2>& grasp, const Optimum& optimum,
   for (const double off : {1e-9, -1e-9, 1e-8, -1e-8}) {
     if (minimum.holdable()) break;
     hold_at(optimum.angle + off);
+    minimum.holds.front().residual += std::abs(off);  // against the load as it is at the end
   }
   minimum.up = up_at(optimum.angle);
   if (minimum.holdable()) minimum.optimum.value = minimum.value();

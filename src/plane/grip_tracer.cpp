@@ -41,21 +41,6 @@ class GripTracer {
     }
   }
 
-  /// A posture of which the neighbours are not held.
-  void trace_point(const Arc& point, const std::vector<ArcState>& states, const Hold<2>& hold) {
-    if (!hold.holdable) return;
-    Arc arc{.from = point.from, .to = point.to};
-    arc.value.c0 = hold.grip;
-    for (std::size_t k = 0; k < 3; ++k) arc.y[k].c0 = hold.dual[static_cast<Eigen::Index>(k)];
-    arc.rates.emplace(hold.rates.begin(), hold.rates.end());
-    for (const ContactForce<2>& force : hold.forces)
-      arc.forces.push_back({{force.normal, 0, 0}, {force.tangential, 0, 0}});
-    arc.first_state = curve_.states.size();
-    for (std::size_t i = 0; i < contacts_.size(); ++i)
-      curve_.states.push_back(states[point.first_state + i]);
-    curve_.arcs.push_back(std::move(arc));
-  }
-
  private:
   Interval piece_at(double at, double lo, double hi) {
     const std::optional<dual::GripPiece> found = program_.at(at);
@@ -76,15 +61,26 @@ class GripTracer {
   /// About the object frame's origin, per unit of the grip.
   Twist<2> told(const Twist<2>& y) const { return about_origin(hand_, unit_ / weight_, y); }
 
+  /// Power is convex in (y, rates): of rates alone so much is mixed in that rounding of a long y
+  /// leaves no contact that a drive closes any power.
+  static void round_down(Twist<2>& y, std::vector<double>& rates) {
+    const double part = std::min(1e-14 * y.cwiseAbs().sum(), 1e-8);
+    y *= 1 - part;
+    for (double& rate : rates)
+      rate = (1 - part) * rate + part / static_cast<double>(rates.size());
+  }
+
   void add_arc(const dual::GripPiece& found, const Interval& piece) {
     Arc& arc = curve_.arcs.emplace_back();
     arc.from = piece.from;
     arc.to = piece.to;
     const Harmonic1 F = harmonic(found.F, unit_);
     arc.value = {F.c0, F.cos1, F.sin1, 0, 0};
-    const Twist<2> y = told(found.y);
-    for (std::size_t k = 0; k < 3; ++k) arc.y[k].c0 = y[static_cast<Eigen::Index>(k)];
+    Twist<2> y = found.y;
     arc.rates = found.rates;
+    round_down(y, *arc.rates);
+    y = told(y);
+    for (std::size_t k = 0; k < 3; ++k) arc.y[k].c0 = y[static_cast<Eigen::Index>(k)];
     arc.first_state = curve_.states.size();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const Affine &n = found.normals[i], &t = found.tangentials[i];
@@ -130,18 +126,11 @@ class GripTracer {
 }  // namespace
 
 void trace_grip(const Grasp<2>& grasp, const CurveSettings& settings, PostureCurve& curve) {
-  const std::vector<Arc> efforts = std::move(curve.arcs);
-  const std::vector<ArcState> states = std::move(curve.states);
   curve.arcs.clear();
   curve.states.clear();
   GripTracer tracer(grasp, settings, curve);
   for (const Interval& holdable : curve.holdable)
     if (holdable.from != holdable.to) tracer.trace(holdable);
-  for (const Arc& arc : efforts)
-    if (arc.from == arc.to)
-      tracer.trace_point(
-          arc, states,
-          hold<2>(grasp, up_at(arc.from), {settings.force_cap, Objective::grip}));
 }
 
 }  // namespace poise

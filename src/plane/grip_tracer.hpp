@@ -6,7 +6,8 @@
 namespace poise {
 
 /// Puts in the place of the arcs of effort those of grip, in any order and by any whole turns, and
-/// adds the unholdable arcs in which the drives would need more than their max.
+/// adds the unholdable arcs in which the drives would need more than their max. Single postures
+/// are left out.
 /// @throws InvalidGrasp as grip_unit()
 void trace_grip(const Grasp<2>& grasp, const CurveSettings& settings, PostureCurve& curve);
 

@@ -31,11 +31,16 @@ void order(const PostureCurve& curve, std::vector<Piece>& pieces) {
 
 /// A posture that holds although its neighbours do not.
 bool add_point(const Grasp<2>& grasp, double force_cap, double at, PostureCurve& curve) {
-  const Hold<2> held = hold(grasp, up_at(at), {force_cap});
+  const Hold<2> held = hold(grasp, up_at(at), {force_cap, curve.objective});
   if (!held.holdable) return false;
   Arc arc;
   arc.from = arc.to = at;
-  arc.value.c0 = held.effort;
+  arc.value.c0 = held.value();
+  if (curve.objective == Objective::grip) {
+    arc.rates.emplace(held.rates.begin(), held.rates.end());
+    for (const ContactForce<2>& force : held.forces)
+      arc.forces.push_back({{force.normal, 0, 0}, {force.tangential, 0, 0}});
+  }
   for (std::size_t k = 0; k < 3; ++k) arc.y[k].c0 = held.dual[static_cast<int>(k)];
   arc.first_state = curve.states.size();
   for (const ContactForce<2>& force : held.forces)
@@ -184,6 +189,7 @@ PostureCurve posture_curve(const Grasp<2>& grasp, const CurveSettings& settings)
     curve.objective = Objective::grip;
     trace_grip(grasp, settings, curve);
     order(curve, curve.unholdable_arcs);
+    add_points(grasp, settings.force_cap, curve);
     order(curve, curve.arcs);
     curve.holdable.clear();
     drop_slivers(curve);

@@ -147,14 +147,17 @@ bool Oracle::quick_grip(std::size_t s, const Vector<3>& x, Answer& answer) const
   if (!is_grip() || !driven.apart) return false;
   const Wrench<3> w = load.at(x);
   dual::Point<3> held(load.problem.size);
-  if (!dual::approach(load.problem, w, dual::cold_start(load.problem, w), load.cap, held))
-    return false;
   dual::LeastGrip<3> found(load.problem.size);
-  if (!dual::least_grip(load.problem, driven, w, held, found)) return false;
+  if (dual::approach(load.problem, w, dual::cold_start(load.problem, w), load.cap, held)) {
+    if (!dual::least_grip(load.problem, driven, w, held, found)) return false;
+  } else {
+    found.y = held.y;
+    if (!driven.alike || !dual::refute(load.problem, driven, w, load.cap, found)) return false;
+  }
   HalfSpace& cut = answer.half_space = general_half_space(s, found.y, x);
   const double times = scaled_grip(grasp_, grasp_.loads()[s].weight) / unit;
   cut.rates.assign(found.rates.begin(), found.rates.end());
-  cut.rate_sum = 1 / times;
+  for (const double rate : found.rates) cut.rate_sum += rate / times;
   cut.phi = found.fixed - found.y.dot(load.fixed);
   answer.value = std::pow(found.value * times, 2);
   return true;

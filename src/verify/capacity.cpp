@@ -314,7 +314,8 @@ void check_capacity(Verdict& verdict, const RealGrasp& grasp, const CapacityDocu
     RealGrasp safe = with_friction(given.grasp, 1 / safety);
     safe.within_max = false;  // what to command may be more than the gripper gives
     verdict.check(place / "command" / "objective", "the command is the least grip, if there is one",
-                  (claim.command.objective == Objective::grip) == !safe.drives.empty());
+                  !claim.command.holdable ||
+                      (claim.command.objective == Objective::grip) == !safe.drives.empty());
     check_least_hold(verdict, place / "command", safe, claim.command, cap);
     check_up(verdict, place / "command", real(claim.command.up), given.up,
              "the hold is of the posture asked for");

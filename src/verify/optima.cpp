@@ -85,7 +85,8 @@ Surroundings surroundings(const RealOptimum& optimum, const std::vector<Chain>& 
 
 bool is_kind(Kind kind, const Surroundings& around, bool stretch) {
   if (kind == Kind::boundary) return around.at_end;
-  if (kind == Kind::kink) return !stretch && !around.at_end && around.jump > 1e-12L;
+  // A kink may be as near to the end as an arc is narrow.
+  if (kind == Kind::kink) return !stretch && around.jump > 1e-12L;
   return !around.at_end && (stretch || around.jump < 1e-6L || around.flattest < 1e-5L);
 }
 

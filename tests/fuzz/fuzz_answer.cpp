@@ -43,7 +43,7 @@ class Judge {
     if (right) return;
     std::fprintf(stderr, "WRONG: %s, at %.17g\n%s\ndomain: %s, force_cap: %.17g\n", what, at,
                  grasp_document(task_.file).c_str(),
-                 task_.settings.domain == Domain::all ? "all" : "pinched",
+                 task_.settings.domain == Domain::all ? "all" : "pinching-up",
                  task_.settings.force_cap);
     std::abort();
   }

@@ -479,13 +479,6 @@ class Curves(unittest.TestCase):
             np.testing.assert_allclose(rotate(turn, before), [0, 0, 1], atol=1e-12)
             self.assertAlmostEqual(2 * np.arccos(turn[0]), np.arccos(before[2]))
 
-    def test_cradled(self):
-        low = [poise.Contact([x, 0, 0], [0, 0, 1], 0.5) for x in (-1, 0.5)]
-        low += [poise.Contact([0, y, 0], [0, 0, 1], 0.5) for y in (-1, 1)]
-        grasp = poise.Grasp(poise.Object(1, [0, 0, 1]), low)
-        self.assertTrue(poise.cradled(grasp, [0, 0, 1]))
-        self.assertFalse(poise.cradled(grasp, [0, 0, -1]))
-
     def test_plot_of_the_sphere(self):
         import matplotlib
 
@@ -610,10 +603,14 @@ class Capacities(unittest.TestCase):
         self.assertEqual(math.isinf(weights.greatest.weight), shown["any"])
         if not shown["any"]:
             self.assertEqual(weights.greatest.weight, shown["greatest"])
-            decide = poise.deciding(grasp, up, weights.greatest.dual)
+            proof = weights.greatest.dual, weights.greatest.rates
+            self.assertEqual(proof[1].tolist(), shown.get("greatest_rates", []))
+            decide = poise.deciding(grasp, up, *proof)
             for contact, expected in zip(decide, shown["contacts"], strict=True):
                 self.assertEqual(contact.per_newton, expected["per_newton"])
                 self.assertEqual(contact.slipping, expected["slipping"])
+            drives = poise.deciding_drives(grasp, up, *proof)
+            self.assertEqual(drives, [drive["per_newton"] for drive in shown["drives"]])
 
     def check_file(self, file):
         """As the program says, in a posture that both have without rounding."""
@@ -630,14 +627,32 @@ class Capacities(unittest.TestCase):
                 self.check_hold(capacity.friction.hold, shown["friction"]["hold"])
             self.assertEqual(capacity.friction.bound, shown["friction"]["bound"])
             self.assertEqual(capacity.friction.dual.tolist(), shown["friction"]["dual"])
+            self.assertEqual(
+                capacity.friction.rates.tolist(), shown["friction"].get("rates", [])
+            )
             self.assertEqual(capacity.safe.holdable, shown["command"]["holdable"])
             if capacity.safe.holdable:
                 self.check_hold(capacity.safe, shown["command"])
+                self.assertEqual(capacity.safe.grip, shown["command"]["grip"])
 
     def test_they_are_those_of_the_program(self):
         for name in ["hexagon-three-fingers", "ito-fig6", "tray", "box-hard-jaws", "box-soft-jaws"]:
             with self.subTest(name):
                 self.check_file(ROOT / "examples" / f"{name}.yaml")
+
+    def test_those_of_limited_drives_are_those_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "jaws.yaml"
+            file.write_text(
+                "poise: 1\ndimension: 2\nobject: {weight: 10, com: [0, 0]}\ndrives: coupled\n"
+                "fingers: {left: {max_force: 20}}\ncontacts:\n"
+                "  - {position: [-1, 0], normal: [1, 0], friction: 0.3, finger: left}\n"
+                "  - {position: [1, 0], normal: [-1, 0], friction: 0.3, finger: right}\n"
+            )
+            self.check_file(file)
+            capacity = poise.capacity(poise.load(file).grasp(), [0, 1], 1.5)
+            self.assertAlmostEqual(capacity.weights.greatest.bound, 2 * 20 * 0.3, delta=1e-7)
+            self.assertAlmostEqual(capacity.safe.grip, 1.5 * 10 / (2 * 0.3), delta=1e-6)
 
     def test_two_opposed_fingers_hold_twice_their_friction(self):
         for zero in [[], [0]]:
@@ -912,7 +927,7 @@ class Misuse(unittest.TestCase):
         self.check("load", poise.hold, grasp, [0, 1], [0, 0, 0])
         self.check("y", poise.hold, grasp, [0, 1, 0], [0, 0])
         with self.assertRaises(TypeError):
-            poise.best_posture(grasp, domain="pinched")
+            poise.best_posture(grasp, domain="pinching-up")
         with self.assertRaises(IndexError):
             grasp.finger_of(2)
 
@@ -931,12 +946,11 @@ class Misuse(unittest.TestCase):
     def test_dimensions(self):
         planar, spatial = disk(), random_spatial_grasp(np.random.default_rng(17), 3)
         self.check("grasp", poise.posture_curve, spatial)
-        self.check("grasp", poise.cradled, planar, [0, 0, 1])
         self.check("grasp", poise.best_posture, [planar, planar])
         self.check("grasp", poise.plot, [spatial, planar])
         self.check("tilt", poise.best_posture, planar, tilt=poise.Tilt([0, 0, 1], 0.5))
         self.check("domain", poise.best_posture, spatial, domain=poise.Domain.pinching_up)
-        self.check("hold", poise.grip_force, planar, poise.hold(spatial, [0, 0, 1]))
+        self.check("hold", poise.grip, planar, poise.hold(spatial, [0, 0, 1]))
         self.check("ups[0]", poise.hold_many, spatial, [[0, 1], [1, 0]])
         self.check("gap", poise.best_posture, spatial, gap=0)
         self.check("tilt.from_", poise.best_posture, spatial, tilt=poise.Tilt([0, 0, 0], 0.5))
@@ -949,7 +963,7 @@ class Misuse(unittest.TestCase):
             repr(grasp), "Grasp(weight=10 N, 2 contacts, fingers=['right', 'left'])"
         )
         self.assertEqual(
-            repr(best.best), "PlanarPosture(165.00 deg, effort=80.3848 N^2, cradled, kink)"
+            repr(best.best), "PlanarPosture(165.00 deg, value=80.3848, cradled, kink)"
         )
         for value in [best, best.curve, best.best.hold, best.curve.arcs[0], best.curve.domain]:
             self.assertRegex(repr(value), r"^\w+\(.*\)$")

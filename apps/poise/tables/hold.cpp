@@ -22,8 +22,8 @@ std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp, const HoldA
   const std::string least =
       posture.hold().objective == Objective::grip
           ? "the grip to command is " + style.bold(grip_text(grasp, *grip))
-          : "the least force norm is " + style.bold(norm) +
-                (grip ? ", with a grip of " + grip_text(grasp, *grip) : "");
+          : grip ? "grip " + style.bold(grip_text(grasp, *grip))
+                 : "force norm " + style.bold(norm);
   return title(file.name, style) +
          fmt::format("{}: {}, {}\n", place, least, to_string(posture.manner)) +
          drives_table(grasp, posture.hold(), style) +

@@ -191,9 +191,9 @@ std::string grip_text(const Grasp<Dim>& grasp, double grip) {
 
 template <int Dim>
 std::string least_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
-  return posture.hold().objective == Objective::grip
-             ? "grip " + grip_text(grasp, posture.value())
-             : "force norm " + newtons(std::sqrt(posture.effort()));
+  const std::optional<double> grip = grip_of(grasp, posture);
+  return grip ? "grip " + grip_text(grasp, *grip)
+              : "force norm " + newtons(std::sqrt(posture.effort()));
 }
 
 template <int Dim>

@@ -70,7 +70,7 @@ std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const S
 template <int Dim>
 std::string grip_text(const Grasp<Dim>& grasp, double grip);
 
-/// What a posture needs least of: "grip 2.125 N", "force norm 8.966 N".
+/// "grip 2.125 N", or where the hand has none "force norm 8.966 N".
 template <int Dim>
 std::string least_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture);
 

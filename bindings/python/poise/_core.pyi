@@ -409,6 +409,8 @@ class WeightEnd:
     def hold(self) -> Hold: ...
     @property
     def dual(self) -> NDArray[np.float64]: ...
+    @property
+    def rates(self) -> NDArray[np.float64]: ...
 
 class WeightRange:
     @property
@@ -433,6 +435,8 @@ class LeastFriction:
     def hold(self) -> Hold: ...
     @property
     def dual(self) -> NDArray[np.float64]: ...
+    @property
+    def rates(self) -> NDArray[np.float64]: ...
 
 class Capacity:
     @property
@@ -444,8 +448,21 @@ class Capacity:
 
 def weight_range(grasp: Grasp, up: ArrayLike, *, force_cap: float = ...) -> WeightRange: ...
 def deciding(
-    grasp: Grasp, up: ArrayLike, dual: ArrayLike, *, force_cap: float = ...
+    grasp: Grasp,
+    up: ArrayLike,
+    dual: ArrayLike,
+    rates: Optional[ArrayLike] = ...,
+    *,
+    force_cap: float = ...,
 ) -> list[Deciding]: ...
+def deciding_drives(
+    grasp: Grasp,
+    up: ArrayLike,
+    dual: ArrayLike,
+    rates: Optional[ArrayLike] = ...,
+    *,
+    force_cap: float = ...,
+) -> list[float]: ...
 def least_friction(grasp: Grasp, up: ArrayLike, *, force_cap: float = ...) -> LeastFriction: ...
 def capacity(
     grasp: Grasp, up: ArrayLike, safety: float, *, force_cap: float = ...

@@ -30,7 +30,7 @@ class ForceLimit(enum.Enum):
 
 
 class Manner(enum.Enum):
-    """How the object is held."""
+    """How the object is held, by its forces: the first that applies."""
 
     resting = "resting"  #: one finger carries everything
     cradled = "cradled"  #: it would be held without any friction
@@ -41,7 +41,7 @@ class Kind(enum.Enum):
     """Of an optimum of the curve."""
 
     boundary = "boundary"  #: an end of the domain or of the holdable set
-    kink = "kink"  #: V has a corner
+    kink = "kink"  #: the curve has a corner
     smooth = "smooth"
 
 
