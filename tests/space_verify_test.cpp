@@ -35,8 +35,10 @@ SpatialFile random_file(bool least_forces) {
 /// Confirmed as values and as a document alike.
 void expect_confirmed(const SpatialFile& file, const auto& answer) {
   const Grasp<3> grasp = file.grasp();
+  const std::string told = document(grasp, answer);
+  RC_LOG() << told << document(file, grasp, CheckAnswer<3>{});
   RC_ASSERT(verify::refutations_text(verify::verify(grasp, answer)) == "");
-  const Document text = parse_json(document(grasp, answer), "result.json", max_result);
+  const Document text = parse_json(told, "result.json", max_result);
   RC_ASSERT(verify::refutations_text(verify::verify(file, text)) == "");
 }
 

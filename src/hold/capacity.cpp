@@ -153,12 +153,12 @@ struct Question {
     if (!hold.holdable) proof = {hold.dual, hold.rates};
     return hold.holdable;
   }
-  /// With a hold that was found.
-  Posture<Dim> posture(Hold<Dim> hold, double weight) const {
+  /// With a hold that was found, by `by`.
+  Posture<Dim> posture(Hold<Dim> hold, double weight, const Hand<Dim>& by) const {
     Posture<Dim> posture{.up = up, .holds = {std::move(hold)}};
     if (!posture.holdable()) return posture;
     const Load<Dim> probed{.weight = weight, .com = load.com};
-    posture.manner = poise::manner(hand, probed, up, posture.hold());
+    posture.manner = poise::manner(by, probed, up, posture.hold());
     return posture;
   }
 };
@@ -244,8 +244,14 @@ Hold<Dim> hold_without_limits(const Question<Dim>& asked) {
   hold.residual = found.residual;
   hold.forces.resize(hand.contacts().size());
   std::size_t next = 0;
+  auto point = found.pad_forces.begin();
   for (std::size_t i = 0; i < hold.forces.size(); ++i) {
-    if (!std::isfinite(hand.contacts()[i].max_normal)) {
+    const bool presses = !std::isfinite(hand.contacts()[i].max_normal);
+    if constexpr (Dim == 3)
+      if (const auto& pad = hand.contacts()[i].pad)
+        for (std::size_t k = 0; k < pad->points.size(); ++k)
+          hold.pad_forces.push_back(presses ? *point++ : Vector<3>::Zero());
+    if (presses) {
       hold.forces[i] = found.forces[next++];
       continue;
     }
@@ -415,10 +421,22 @@ class WeightSearch {
     least_ = greatest_ = std::move(hold);
   }
 
-  /// What is held at an end; where any weight is held, the given one.
+  /// What is held at an end; where any weight is held, the given one as any other: contacts with a
+  /// limit have no part in it.
   void complete(WeightEnd<Dim>& end, Hold<Dim>& hold) const {
-    const bool any = end.weight == infinity;
-    end.posture = asked_.posture(std::move(hold), any ? asked_.load.weight : end.weight);
+    const Hand<Dim>& hand = asked_.hand;
+    if (end.weight < infinity || !hold.holdable) {
+      end.posture = asked_.posture(std::move(hold), end.weight, hand);
+      return;
+    }
+    std::vector<Contact<Dim>> contacts = hand.contacts();
+    for (Contact<Dim>& contact : contacts) {
+      contact.min_normal = 0;
+      if (std::isfinite(contact.max_normal)) contact.max_normal = 0;
+    }
+    end.posture =
+        asked_.posture(std::move(hold), asked_.load.weight,
+                       Hand<Dim>(std::move(contacts), hand.center(), 1, hand.mechanism()));
   }
 
   const Question<Dim>& asked_;
@@ -438,7 +456,7 @@ class FrictionSearch {
   LeastFriction<Dim> run() {
     probe(1);
     if (!probe(0)) narrow();
-    found_.posture = asked_.posture(std::move(hold_), asked_.load.weight);
+    found_.posture = asked_.posture(std::move(hold_), asked_.load.weight, asked_.hand);
     return std::move(found_);
   }
 
@@ -519,13 +537,13 @@ Posture<Dim> safe_posture(const Question<Dim>& asked, double safety) {
   if (!has_grip(hand))
     return asked.posture(
         asked.hold(hand.scaled().with_friction(1 / safety), asked.load.weight, 1 / safety),
-        asked.load.weight);
+        asked.load.weight, hand);
   const Hand<Dim> safe(hand.contacts(), hand.center(), safety, hand.mechanism());
   const Load<Dim> load{.weight = asked.load.weight, .com = asked.load.com};
   return asked.posture(
       least_grip(safe, load, asked.up,
                  {.force_cap = asked.settings.force_cap, .objective = Objective::grip}),
-      load.weight);
+      load.weight, hand);
 }
 
 }  // namespace

@@ -204,15 +204,18 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
   }
 
   // Of the forces of this grip those of least effort, but for digits that nobody needs.
-  dual::Balance<Dim> forces = least;
   for (dual::ConeDrive<Dim>& drive : cones.drives) drive.max = least.value * (1 + room) + 1e-12;
-  dual::Balance<Dim> found = dual::quick_balance(cones, w, dual::Wanted::effort);
-  if (found.state != State::not_held && found.error <= most_error &&
-      found.residual.norm() <= std::max(least.residual.norm(), fair))
-    forces = std::move(found);
+  const dual::Balance<Dim> found = dual::quick_balance(cones, w, dual::Wanted::effort);
   Hold<Dim> hold;
   hold.holdable = true;
-  write_balance(hand, weight, cones, forces, hold);
+  write_balance(hand, weight, cones, least, hold);
+  if (found.state != State::not_held && found.error <= most_error &&
+      found.residual.norm() <= std::max(least.residual.norm(), fair)) {
+    Hold<Dim> easier = hold;
+    write_balance(hand, weight, cones, found, easier);
+    if (grip(hand, easier) <= grip(hand, hold) * (1 + 4 * room) + 1e-12 * unit)
+      hold = std::move(easier);
+  }
   // Where nothing has an inside, or takes more than the cap, the least effort decides.
   if (hold.effort > cap * cap || !is_fair(hand, weight, hold)) {
     hold = poise::hold(hand, load, weight, Twist<Dim>(Twist<Dim>::Zero()),

@@ -105,16 +105,18 @@ void check_arc_state(Verdict& verdict, const Path& place, const RealContact& con
   // Close to where states meet both are right.
   const Real n = force[0], little = 1e-8L * weight, tiny = 1e-12L * weight;
   const Real left = contact.friction * n - std::abs(force[1]);
+  const Real least_left = std::min(tiny, 1e-10L * contact.friction * n);
   verdict.check(place / "state", "state is that of the arc's middle",
                 claim.state == ContactState::unloaded   ? n <= little
                 : claim.state == ContactState::slipping ? n > tiny && left <= little
-                                                        : n > tiny && left > tiny);
+                                                        : n > tiny && left > least_left);
   const bool max = n >= contact.most - little;
   const bool min = contact.least > 0 && n <= contact.least + little;
   verdict.check(place / "limit", "limit is that of the arc's middle",
                 claim.limit == ForceLimit::max   ? max
                 : claim.limit == ForceLimit::min ? min
-                                                 : (!max && !min) || n < 1e-6L * weight);
+                : n < 1e-6L * weight             ? true
+                                                 : n < contact.most - tiny && (contact.least == 0 || n > contact.least + tiny));
 }
 
 std::vector<RealArc> check_arcs(Verdict& verdict, const RealGrasp& grasp,
@@ -129,7 +131,9 @@ std::vector<RealArc> check_arcs(Verdict& verdict, const RealGrasp& grasp,
            claim.F ? effort_of(*claim.F) : effort_of(claim.V),
            {}};
     arc.y << claim.y.c0.cast<Real>(), claim.y.cos1.cast<Real>(), claim.y.sin1.cast<Real>();
-    arc.rates.assign(claim.rates.begin(), claim.rates.end());
+    arc.rates.resize(grasp.drives.size());
+    if (claim.rates.size() == arc.rates.size())
+      std::copy(claim.rates.begin(), claim.rates.end(), arc.rates.begin());
     const bool of_grip = options.objective == Objective::grip;
     verdict.check(arc.place, "an arc is of the objective of the options",
                   claim.F.has_value() == of_grip);

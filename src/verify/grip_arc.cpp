@@ -86,7 +86,8 @@ void check_grip_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc
   const AlongArc forces = along(grasp, arc, claim);
   check_forces(verdict, grasp, arc, claim, forces);
 
-  // No drive does more than F, and y and the rates prove that none could do with less.
+  // No drive does more than F, and y and the rates prove that none could do with less: in each
+  // posture but for a part of F there.
   const Vec3 F(arc.value.c0, arc.value.cos1, arc.value.sin1);
   const Real low = arc.value.least(arc.from, arc.to);
   const Real unit = std::max(low, little(grasp, Objective::grip));
@@ -98,16 +99,18 @@ void check_grip_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc
     const RealDrive& drive = grasp.drives[a];
     most = std::min(most, drive.max / grasp.unit(drive));
     sum += arc.rates[a];
-    verdict.check(place, "no drive does more than F along the arc [of F]",
-                  -least(F - effort_along(grasp, drive, forces), arc.from, arc.to) / unit,
-                  1e-8L + digits);
+    const Vec3 left = (1 + 1e-8L) * F - effort_along(grasp, drive, forces);
+    verdict.check(place, "no drive does more than F along the arc, but for a part of 1e-8 [of F]",
+                  -least(left, arc.from, arc.to) / unit, 1e-8L + digits);
   }
   verdict.check(place, "F is within what the drives give",
                 arc.value.greatest(arc.from, arc.to) / most, 1 + 1e-7L);
   verdict.check(arc.place / "rates", "rates add up to 1 at most", sum - 1, rounding);
-  const Vec3 proven = grip_proof(grasp, arc.y.col(0), arc.rates, force_cap);
-  verdict.check(place, "F is what y and rates prove along the arc [of F]",
-                greatest_size(F - proven, arc.from, arc.to) / unit, 1e-7L + digits);
+  const Vec3 off = F - grip_proof(grasp, arc.y.col(0), arc.rates, force_cap);
+  const Real above = -least(1e-7L * F - off, arc.from, arc.to);
+  const Real below = -least(1e-7L * F + off, arc.from, arc.to);
+  verdict.check(place, "F is what y and rates prove along the arc, but for a part of 1e-7 [of F]",
+                std::max(above, below) / unit, 1e-7L + digits);
 }
 
 }  // namespace poise::verify
