@@ -179,8 +179,7 @@ TEST_F(Batch, AFolderInTheOrderOfNames) {
   const char* const names[] = {"bad.json", "box-soft-jaws.yaml", "ito-fig6.yaml", "l-part.yaml"};
   for (std::size_t k = 0; k < out.size(); ++k) EXPECT_EQ(Json::parse(out[k])["file"], names[k]);
   EXPECT_EQ(Json::parse(out[0])["error"]["line"], 2);
-  EXPECT_EQ(Json::parse(out[3])["best"]["grip"],
-            json("best " + example("l-part"))["best"]["grip"]);
+  EXPECT_EQ(Json::parse(out[3])["best"]["grip"], json("best " + example("l-part"))["best"]["grip"]);
   fs::create_directories(folder() / "empty");
   EXPECT_EQ(poise("batch empty").status, 2);
 }

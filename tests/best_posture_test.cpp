@@ -9,7 +9,9 @@
 namespace poise::test {
 namespace {
 
-CurveSettings random_settings() { return {.domain = one_in(3) ? Domain::pinching_up : Domain::all}; }
+CurveSettings random_settings() {
+  return {.domain = one_in(3) ? Domain::pinching_up : Domain::all};
+}
 
 bool moderate(const Grasp<2>& grasp, double effort) {
   return std::sqrt(effort) <= 1000 * grasp.weight();

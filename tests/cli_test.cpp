@@ -247,7 +247,8 @@ TEST_F(CommandLine, FindsThePostureOfLeastGripInThePlane) {
     EXPECT_LE(grip["best"]["grip"], minimum["grip"].get<double>() * (1 + 1e-7));
   EXPECT_LT(grip["best"]["grip"], 0.95 * effort["best"]["grip"].get<double>());
   for (const std::string command : {"best", "curve"}) {
-    const std::string asked = command + " " + example("hexagon-three-fingers") + " --objective grip";
+    const std::string asked =
+        command + " " + example("hexagon-three-fingers") + " --objective grip";
     write("result.json", poise(asked + " --json").out);
     EXPECT_EQ(poise("verify " + example("hexagon-three-fingers") + " result.json").status, 0)
         << command;

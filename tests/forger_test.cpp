@@ -151,9 +151,9 @@ void erase(Json& document, const Pointer& at) {
 
 Json other_word(const std::string& word) {
   const std::vector<std::string> words = {
-      "unloaded",   "sticking", "slipping", "none", "min",    "max",     "resting",
-      "cradled",    "pinched", "pinching-up",  "boundary", "kink", "smooth", "optimal", "gap",
-      "unholdable", "all",      "given",    "now",  "best",   "upright"};
+      "unloaded", "sticking",   "slipping",    "none",     "min",  "max",    "resting",
+      "cradled",  "pinched",    "pinching-up", "boundary", "kink", "smooth", "optimal",
+      "gap",      "unholdable", "all",         "given",    "now",  "best",   "upright"};
   const std::string& other = any_of(words);
   return other == word ? word + "s" : other;
 }

@@ -136,8 +136,7 @@ RC_GTEST_PROP(GripCurve, HasNoPostureBelowItsBest, ()) {
     const Hold<2> hold = least_grip(grasp, up_at(2 * pi * (k + 0.3) / 24));
     if (!hold.holdable) continue;
     RC_ASSERT(best.holdable() || best.status == Status::gap);
-    if (best.holdable())
-      RC_ASSERT(hold.grip >= best.lower_bound - 1e-7 * (W + best.lower_bound));
+    if (best.holdable()) RC_ASSERT(hold.grip >= best.lower_bound - 1e-7 * (W + best.lower_bound));
   }
 }
 
@@ -156,11 +155,10 @@ RC_GTEST_PROP(GripCurve, IsNoMoreThanTheGripOfLeastEffort, ()) {
 /// com, both slip. The paper's posture b.
 TEST(GripCurve, OfTwoFingersIsLeastWhereConeEdgesMeetBelowTheCom) {
   const double alpha = pi / 3, mu = 0.3;
-  const Grasp<2> grasp({.weight = 10},
-                       {{.position = {std::cos(alpha), -std::sin(alpha)},
-                         .normal = {-std::cos(alpha), std::sin(alpha)},
-                         .friction = mu},
-                        {.position = {-1, 0}, .normal = {1, 0}, .friction = mu}});
+  const Grasp<2> grasp({.weight = 10}, {{.position = {std::cos(alpha), -std::sin(alpha)},
+                                         .normal = {-std::cos(alpha), std::sin(alpha)},
+                                         .friction = mu},
+                                        {.position = {-1, 0}, .normal = {1, 0}, .friction = mu}});
   const Best<2> best = best_posture(grasp, for_grip);
   ASSERT_TRUE(best.holdable());
   for (const Minimum<2>& minimum : best.minima) {

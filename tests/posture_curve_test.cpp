@@ -56,7 +56,9 @@ Real error(const Arc& arc, double theta, Real effort) {
   return off <= rounding(arc) ? 0 : off / effort;
 }
 
-CurveSettings random_settings() { return {.domain = one_in(4) ? Domain::pinching_up : Domain::all}; }
+CurveSettings random_settings() {
+  return {.domain = one_in(4) ? Domain::pinching_up : Domain::all};
+}
 
 /// A posture of the domain.
 double random_angle_of(const PostureCurve& curve) {
@@ -154,7 +156,8 @@ RC_GTEST_PROP(PostureCurve, IsProvenByItsOwnDuals, ()) {
       const Real bound = dual_bound(grasp, w, dual_at(arc, theta));
       // What a balance within the tolerance may be worth to a long y.
       const Real doubt = bound - proven_effort(grasp, w, dual_at(arc, theta));
-      RC_ASSERT(std::abs(bound - arc.value(theta)) <= 2 * doubt || error(arc, theta, bound) <= 1e-9L);
+      RC_ASSERT(std::abs(bound - arc.value(theta)) <= 2 * doubt ||
+                error(arc, theta, bound) <= 1e-9L);
     }
 }
 
@@ -355,7 +358,8 @@ RC_GTEST_PROP(PostureCurve, MirroredGraspsHaveMirroredCurves, ()) {
     const double theta = random_angle();
     const Arc *here = arc_at(curve, theta, margin), *there = arc_at(curve, -theta, margin);
     if (!here || !there || !moderate(grasp, here->value(theta))) continue;
-    RC_ASSERT(close(here->value(theta), there->value(-theta), 1e-9L, rounding(*here) + rounding(*there)));
+    RC_ASSERT(
+        close(here->value(theta), there->value(-theta), 1e-9L, rounding(*here) + rounding(*there)));
   }
 }
 

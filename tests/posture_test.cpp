@@ -129,7 +129,8 @@ RC_GTEST_PROP(CradledWedge, IsWhereTheHullIsStraightBelowTheComOutside, ()) {
 
 RC_GTEST_PROP(CradledWedge, AndThePinchedDomainAreTheWholeCircle, ()) {
   const Grasp<2> grasp = (*grasps()).grasp();
-  const Interval wedge = fork_wedge(grasp, grasp.center()), rest = domain_interval(grasp, Domain::pinching_up);
+  const Interval wedge = fork_wedge(grasp, grasp.center()),
+                 rest = domain_interval(grasp, Domain::pinching_up);
   RC_ASSERT(rest.from >= -pi && rest.from < pi && rest.to <= rest.from + 2 * pi);
   RC_ASSERT(std::abs(rest.to - rest.from + wedge.to - wedge.from - 2 * pi) < 1e-14);
   if (wedge.to > wedge.from)

@@ -16,10 +16,9 @@ using Keys = std::set<std::string>;
 
 const Keys unholdable_keys{"holdable",  "up",          "angle_deg", "dual",
                            "objective", "lower_bound", "reason"};
-const Keys hold_keys{"objective",  "grip",       "drives",
-                     "holdable",   "up",         "angle_deg", "dual",   "lower_bound",
-                     "effort",     "force_norm", "residual",  "manner", "all_loaded",
-                     "fingers",    "contacts"};
+const Keys hold_keys{"objective", "grip",   "drives",      "holdable", "up",
+                     "angle_deg", "dual",   "lower_bound", "effort",   "force_norm",
+                     "residual",  "manner", "all_loaded",  "fingers",  "contacts"};
 const Keys document_keys{"poise_result", "command", "options"};
 
 Keys with(Keys keys, const Keys& more) {

@@ -89,10 +89,9 @@ class Space : public CommandLine {
   /// Judges a hold of a file by its statics, with what `check` says of the file.
   static void judge(const Json& hold, const Json& check) {
     const bool many = check["scenarios"].size() > 1;
-    std::set<std::string> expected{"holdable",   "up",         "dual",     "lower_bound",
-                                   "effort",     "force_norm", "residual", "manner",
-                                   "all_loaded", "fingers",  "contacts",
-                                   "objective",  "grip",       "drives"};
+    std::set<std::string> expected{"holdable",   "up",        "dual",   "lower_bound", "effort",
+                                   "force_norm", "residual",  "manner", "all_loaded",  "fingers",
+                                   "contacts",   "objective", "grip",   "drives"};
     if (many) expected.insert({"scenario", "scenario_efforts", "scenario_holds"});
     std::set<std::string> given = keys(hold);
     for (const char* key : {"poise_result", "command", "options"}) given.erase(key);
@@ -149,7 +148,7 @@ class Space : public CommandLine {
     }
     for (const Json& drive : hold["drives"])
       grip = std::max(grip, drive["part_of_max"].is_null() ? drive["effort"].get<double>()
-                                                            : hold["grip"].get<double>());
+                                                           : hold["grip"].get<double>());
     EXPECT_EQ(hold["grip"], grip);
     if (many) {
       ASSERT_EQ(hold["scenario_efforts"].size(), check["scenarios"].size());
@@ -454,8 +453,8 @@ TEST_F(SpaceBest, PeopleSeeNewtonsTurnAndProof) {
   write("filled.yaml", filled + "up: [0, 0, 1]\n");
   const std::string out = poise("best filled.yaml").out;
   for (const char* words :
-       {"  now ", "(0.000, 0.000, 1.000)  grip ", "  best ", "turn by", " about (",
-        "Proven with", "a quaternion", "Forces at the best, in scenario", "decides",
+       {"  now ", "(0.000, 0.000, 1.000)  grip ", "  best ", "turn by", " about (", "Proven with",
+        "a quaternion", "Forces at the best, in scenario", "decides",
         "Minima found, lowest first; there may be others"})
     EXPECT_NE(out.find(words), out.npos) << words << "\n" << out;
   EXPECT_EQ(out.find('\033'), out.npos);

@@ -96,8 +96,7 @@ void draw_range(Script& script, const HeldDisk& disk) {
   label("fork: the object lies", {0, -1.05}, best_colour);
   label("on both fingers", {0, -1.19}, best_colour);
   script.layer("$range with filledcurves closed fc rgb '#eaf1f8' fs solid noborder notitle");
-  script.layer("$fork with filledcurves closed fc rgb '{}' fs solid noborder notitle",
-               fork_colour);
+  script.layer("$fork with filledcurves closed fc rgb '{}' fs solid noborder notitle", fork_colour);
   script.layer("$disk with lines lw 1.5 lc rgb '{}' notitle", line_colour);
   script.layer("$through with lines dt 2 lc rgb '{}' notitle", line_colour);
   script.layer("$upright with lines dt 3 lc rgb '{}' notitle", line_colour);

@@ -83,7 +83,8 @@ const char* to_string(Kind kind);
 
 /// A local minimum or maximum of the curve over the domain's holdable postures.
 struct Optimum {
-  double angle{0};        ///< [rad], in (-pi, pi]; of a stretch of equal values the nearest to the present
+  double angle{
+      0};  ///< [rad], in (-pi, pi]; of a stretch of equal values the nearest to the present
   double from{0}, to{0};  ///< the stretch; both are `angle` where the optimum is one posture
   double value{0};        ///< V [N^2], or F [grip_unit()]
   Kind kind{Kind::smooth};

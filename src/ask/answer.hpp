@@ -44,7 +44,8 @@ struct BestAnswer<2> {
   std::optional<Posture<2>> now{};  ///< as it is held now, where the file says so
   /// Where nothing in the domain holds: a posture of it, to show why.
   std::optional<Posture<2>> unholdable{};
-  std::optional<Posture<2>> without_max{};  ///< then the best, where max_normal or a drive's max forbids it
+  std::optional<Posture<2>>
+      without_max{};  ///< then the best, where max_normal or a drive's max forbids it
 };
 template <>
 struct BestAnswer<3> {
@@ -52,7 +53,8 @@ struct BestAnswer<3> {
   Best<3> best;
   std::optional<Posture<3>> now{};         ///< as it is held now, where somebody said so
   std::optional<Posture<3>> unholdable{};  ///< where proven: a posture of the domain, to show why
-  std::optional<Posture<3>> without_max{};  ///< then the best, where max_normal or a drive's max forbids it
+  std::optional<Posture<3>>
+      without_max{};  ///< then the best, where max_normal or a drive's max forbids it
   Eigen::Quaterniond orientation{Eigen::Quaterniond::Identity()};  ///< the present one
 };
 

@@ -148,7 +148,8 @@ BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question
     if (given) throw Misfit(option, "is for space,", 2);
   const CurveSettings settings = curve_settings(file, question);
   BestAnswer<2> answer{settings, best_posture(grasp, settings)};
-  if (file.angle) answer.now = posture_at(grasp, up_at(*file.angle), {settings.force_cap, settings.objective});
+  if (file.angle)
+    answer.now = posture_at(grasp, up_at(*file.angle), {settings.force_cap, settings.objective});
   if (!answer.best.holdable()) {
     answer.unholdable = example_of(grasp, settings);
     answer.without_max = best_without_max(grasp, settings);

@@ -95,7 +95,8 @@ class GripProgram::Simplex {
   static T size(const T& x) { return x < 0 ? T(-x) : x; }
   T largest(const Eigen::Matrix<T, 3, 1>& here) const {
     T most = 1;
-    for (Index i = 0; i < rows_; ++i) most = std::max<T>(most, size(right(i).dot(here.transpose())));
+    for (Index i = 0; i < rows_; ++i)
+      most = std::max<T>(most, size(right(i).dot(here.transpose())));
     return most;
   }
   /// The column that keeps all reduced costs >= 0, and of those the largest pivot.
@@ -164,7 +165,8 @@ GripProgram::GripProgram(const ConeHand<2>& hand, const Eigen::Matrix3d& load) :
       add(contact.normal);
     } else {
       const ConePart<2>& part = hand.parts[contact.first];
-      for (const double side : {part.reach, -part.reach}) add(contact.normal + side * part.G.col(0));
+      for (const double side : {part.reach, -part.reach})
+        add(contact.normal + side * part.G.col(0));
     }
     limit += (low ? 1 : 0) + (high ? 1 : 0);
   }

@@ -103,8 +103,7 @@ struct Cone {
   void aim(const T& center, const T& second) {
     const Spin<D, T> a = over(ds), b = times(du);
     const T head = center - lambda.dot(lambda) - second * a.dot(b);
-    const Tail tail =
-        -2 * lambda.head * lambda.tail - second * (a.head * b.tail + b.head * a.tail);
+    const Tail tail = -2 * lambda.head * lambda.tail - second * (a.head * b.tail + b.head * a.tail);
     const T first = (lambda.head * head - lambda.tail.dot(tail)) / lambda.square();
     d = times({first, (tail - first * lambda.tail) / lambda.head});
   }

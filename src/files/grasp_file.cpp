@@ -381,7 +381,8 @@ SpatialFile read_spatial(const Field& root) {
   read_head<3>(root, file);
   if (const auto up = root.find("up")) file.up = read_direction(*up);
   if (const auto tilt = root.find("tilt")) file.tilt = read_tilt(*tilt);
-  if (const auto domain = root.find("domain"); domain && domain->word({"all", "pinching-up"}) != "all")
+  if (const auto domain = root.find("domain");
+      domain && domain->word({"all", "pinching-up"}) != "all")
     domain->fail("pinching-up is for the plane, must be all: best_pinched is shown anyway");
   const double unit = read_unit(root);
   const Field object = read_shape_of_object<3>(root, unit, file);

@@ -39,8 +39,8 @@ std::optional<Vector<2>> meeting_point(const Grasp<2>& grasp, const Hold<2>& hol
   return at[0] + cross(at[1] - at[0], edge[1]) / sine * edge[0];
 }
 
-/// The least that y proves of the effort between two postures [weights^2]: 2 (y . w(theta) - phi(G^T y)), less
-/// what its rounding may be.
+/// The least that y proves of the effort between two postures [weights^2]: 2 (y . w(theta) -
+/// phi(G^T y)), less what its rounding may be.
 double proven_between(const dual::Problem<2>& problem, const LoadCurve& load, const Twist<2>& y,
                       double from, double to) {
   dual::Point<2> point(problem.size);
@@ -126,9 +126,9 @@ double proven_value(const Grasp<2>& grasp, const PostureCurve& curve, double for
       least = std::min(least, proven.at(arc, root.at));
   }
   for (const Interval& gap : curve.undecided)
-    least = std::min(least, proven.at(hold(grasp, up_at((gap.from + gap.to) / 2),
-                                           {force_cap, curve.objective}),
-                                      gap));
+    least = std::min(
+        least,
+        proven.at(hold(grasp, up_at((gap.from + gap.to) / 2), {force_cap, curve.objective}), gap));
   if (curve.arcs.empty() && curve.undecided.empty()) return 0;
   return std::max(least, 0.0);
 }

@@ -12,8 +12,8 @@
 namespace poise {
 namespace {
 
-using std::numbers::pi;
 using dual::Affine;
+using std::numbers::pi;
 
 Harmonic1 harmonic(const Affine& g, double unit) { return {unit * g[0], unit * g[1], unit * g[2]}; }
 
@@ -66,8 +66,7 @@ class GripTracer {
   static void round_down(Twist<2>& y, std::vector<double>& rates) {
     const double part = std::min(1e-14 * y.cwiseAbs().sum(), 1e-8);
     y *= 1 - part;
-    for (double& rate : rates)
-      rate = (1 - part) * rate + part / static_cast<double>(rates.size());
+    for (double& rate : rates) rate = (1 - part) * rate + part / static_cast<double>(rates.size());
   }
 
   void add_arc(const dual::GripPiece& found, const Interval& piece) {
@@ -98,7 +97,7 @@ class GripTracer {
     return {vanishes(n)                                ? ContactState::unloaded
             : vanishes(most - t) || vanishes(most + t) ? ContactState::slipping
                                                        : ContactState::sticking,
-            at(contact.max_normal)                               ? ForceLimit::max
+            at(contact.max_normal)                             ? ForceLimit::max
             : contact.min_normal > 0 && at(contact.min_normal) ? ForceLimit::min
                                                                : ForceLimit::none};
   }

@@ -17,7 +17,8 @@ constexpr double near_end = 1e-9;
 constexpr double stretch = 1e-8;
 /// Values that differ by less, in parts, are ties; slopes and angles [rad] are equal.
 constexpr double tie = 1e-6, equal = 1e-9;
-/// Parts of the coefficients of the value below which rounding hides what its slope does, and its jumps.
+/// Parts of the coefficients of the value below which rounding hides what its slope does, and its
+/// jumps.
 constexpr double flat_slope = 1e-13, rounded_jump = 1e-14;
 
 /// A part of an arc on which the value rises, falls, or does neither.
@@ -96,8 +97,8 @@ void find(const std::vector<Segment>& segments, bool circle, double present,
     }
     const bool end = !before;
     if (!(end && circle) && (end || segment.trend != before->trend))
-      found.push_back(between(before, flat, &segment, from, segment.from, segment.trend < 0, end,
-                              present));
+      found.push_back(
+          between(before, flat, &segment, from, segment.from, segment.trend < 0, end, present));
     before = &segment;
     flat = nullptr;
     from = segment.to;

@@ -125,7 +125,9 @@ class Tracer {
       if (!solve_with(wide_->solver, wide_->point)) return false;
     }
     const double weight = problem_.weight, square = weight * weight;
-    for (double* c : {&arc.value.c0, &arc.value.cos1, &arc.value.sin1, &arc.value.cos2, &arc.value.sin2}) *c *= square;
+    for (double* c :
+         {&arc.value.c0, &arc.value.cos1, &arc.value.sin1, &arc.value.cos2, &arc.value.sin2})
+      *c *= square;
     std::array<Harmonic1, 3>& y = arc.y;
     const auto to_origin = [&](double Harmonic1::*c) {
       const Twist<2> at = about_origin(problem_.hand, problem_.weight, {y[0].*c, y[1].*c, y[2].*c});

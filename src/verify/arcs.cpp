@@ -115,8 +115,9 @@ void check_arc_state(Verdict& verdict, const Path& place, const RealContact& con
   verdict.check(place / "limit", "limit is that of the arc's middle",
                 claim.limit == ForceLimit::max   ? max
                 : claim.limit == ForceLimit::min ? min
-                : n < 1e-6L * weight             ? true
-                                                 : n < contact.most - tiny && (contact.least == 0 || n > contact.least + tiny));
+                : n < 1e-6L * weight
+                    ? true
+                    : n < contact.most - tiny && (contact.least == 0 || n > contact.least + tiny));
 }
 
 std::vector<RealArc> check_arcs(Verdict& verdict, const RealGrasp& grasp,

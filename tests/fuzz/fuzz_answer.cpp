@@ -81,8 +81,8 @@ class Judge {
       demand(arc.from >= last - 1e-7, "curve: arcs are in order", arc.from);
       demand(arc.first_state + grasp_.contacts().size() <= curve.states.size(), "curve: states",
              arc.from);
-      demand(std::isfinite(arc.value(arc.from)) && std::isfinite(arc.value(arc.to)), "curve: V is finite",
-             arc.from);
+      demand(std::isfinite(arc.value(arc.from)) && std::isfinite(arc.value(arc.to)),
+             "curve: V is finite", arc.from);
       for (const Harmonic1& y : arc.y)
         demand(std::isfinite(y(arc.from)), "curve: y is finite", arc.from);
       covered += arc.to - arc.from;

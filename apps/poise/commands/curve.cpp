@@ -30,7 +30,8 @@ Reply curve(const Asked& asked, const std::string& picture) {
 }  // namespace
 
 const Subcommand curve_command{
-    "curve", "The least effort or grip over all postures, with its optima", [](Flags& flags) -> Run {
+    "curve", "The least effort or grip over all postures, with its optima",
+    [](Flags& flags) -> Run {
       const auto asked = declare_question(flags, Command::curve);
       const auto picture = std::make_shared<std::string>();
       flags.domain(asked->question);

@@ -124,7 +124,8 @@ void plot_curve(Script& script, const PlanarFile& file, const Grasp<2>& grasp,
   script.line("set xrange [-180:180]\nset yrange [{}:{}]", bottom, top);
   script.line("set xtics 45 format '%.0f°'\nset ytics autofreq\nset grid lc rgb '#dddddd'");
   script.line("set border 3 lc rgb '{}'\nset tics nomirror out", line_colour);
-  script.line("set xlabel 'object turned counter-clockwise'\nset ylabel '{}'", axis_text(grasp, curve));
+  script.line("set xlabel 'object turned counter-clockwise'\nset ylabel '{}'",
+              axis_text(grasp, curve));
   if (!best.holdable()) {
     script.layer("NaN notitle");
     script.line("unset ytics");

@@ -76,9 +76,8 @@ std::string contacts_table(const Grasp<Dim>& grasp, const Lengths& lengths, cons
 std::vector<std::vector<std::string>> own_facts(const PlanarFile& file,
                                                 const CheckAnswer<2>& answer) {
   const Interval& fork = answer.fork;
-  return {
-      {"held now", file.angle ? "turned to " + degrees_text(*file.angle) : "not given"},
-      {"in the fork of the fingers", fork.from < fork.to ? range_text(fork) : "nowhere"}};
+  return {{"held now", file.angle ? "turned to " + degrees_text(*file.angle) : "not given"},
+          {"in the fork of the fingers", fork.from < fork.to ? range_text(fork) : "nowhere"}};
 }
 
 std::vector<std::vector<std::string>> own_facts(const SpatialFile& file, const CheckAnswer<3>&) {

@@ -103,8 +103,7 @@ void add_posture(Table& table, const std::string& which, const Grasp<Dim>& grasp
                  const Posture<Dim>& posture, const std::string& how) {
   const bool holdable = posture.holdable();
   table.add({which, posture_text(posture.up),
-             !holdable ? "cannot be held"
-                       : least_text(grasp, posture),
+             !holdable ? "cannot be held" : least_text(grasp, posture),
              holdable ? to_string(posture.manner) : "", how});
 }
 
@@ -154,9 +153,8 @@ std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const S
       } else {
         row.push_back(fixed(force.tangential.norm(), across));
         if (any_soft)
-          row.push_back(twists(contacts[i])
-                            ? fixed(lengths.per_metre * force.torsion_moment, about)
-                            : "");
+          row.push_back(twists(contacts[i]) ? fixed(lengths.per_metre * force.torsion_moment, about)
+                                            : "");
       }
       row.push_back(loaded ? fixed(100 * force.friction_used, 1) + " %" : "");
       row.emplace_back(to_string(force.state));
@@ -165,10 +163,10 @@ std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const S
                                                         : "at max_normal");
       if constexpr (Dim == 3)
         if (any_pad)
-          row.push_back(is_pad(contacts[i]) && loaded
-                            ? lengths.text(Vector<3>(contacts[i].position +
-                                                     force.center_of_pressure))
-                            : "");
+          row.push_back(
+              is_pad(contacts[i]) && loaded
+                  ? lengths.text(Vector<3>(contacts[i].position + force.center_of_pressure))
+                  : "");
       table.add(std::move(row));
     }
     if (count > 1) table.add({"", "together", fixed(fingers[k].normal, decimals)});
@@ -248,7 +246,8 @@ std::string optima_table(const Grasp<Dim>& grasp, const std::vector<OptimumRow>&
                          const std::vector<std::string>& words, const Style& style) {
   // Four digits of the least number in a column.
   double effort = 0;
-  for (const OptimumRow& row : rows) effort = effort == 0 ? row.effort : std::min(effort, row.effort);
+  for (const OptimumRow& row : rows)
+    effort = effort == 0 ? row.effort : std::min(effort, row.effort);
   const bool any_grip = !rows.empty() && rows.front().grip;
   std::vector<std::string> headings{"posture"};
   if (any_grip) headings.emplace_back("grip");

@@ -90,15 +90,16 @@ std::string arcs_table(const Grasp<2>& grasp, const PostureCurve& curve, const S
     for (std::size_t i = 0; i < contacts; ++i) headings.push_back("<" + grasp.contacts()[i].finger);
   Table table(headings);
   double largest = 0;
-  for (const Arc& arc : curve.arcs) largest = std::max({largest, arc.value(arc.from), arc.value(arc.to)});
+  for (const Arc& arc : curve.arcs)
+    largest = std::max({largest, arc.value(arc.from), arc.value(arc.to)});
   const int decimals = decimals_for(std::sqrt(largest));
   const auto value = [&](const Arc& arc, double theta) {
     const double here = std::max(0.0, arc.value(theta));
     return is_grip ? grip_text(grasp, here) : fixed(std::sqrt(here), decimals);
   };
   for (const Arc& arc : curve.arcs) {
-    std::vector<std::string> row{degrees_text(arc.from), degrees_text(arc.to),
-                                 value(arc, arc.from), value(arc, arc.to)};
+    std::vector<std::string> row{degrees_text(arc.from), degrees_text(arc.to), value(arc, arc.from),
+                                 value(arc, arc.to)};
     if (!is_grip && contacts <= most_columns)
       for (std::size_t i = 0; i < contacts; ++i) {
         const ArcState& state = curve.states[arc.first_state + i];
@@ -132,10 +133,10 @@ std::string report(const PlanarFile& file, const Grasp<2>& grasp, const BestAnsw
   if (answer.now) add_posture(summary, "now", grasp, *answer.now, "");
   for (const auto& [which, posture] : shown)
     add_posture<2>(summary, which, grasp, *posture,
-                   !file.angle                            ? ""
-                   : ties_with(*answer.now, *posture) ? "stay: it is as good"
-                                                      : turn_text(*file.angle,
-                                                                  posture->optimum.angle));
+                   !file.angle ? ""
+                   : ties_with(*answer.now, *posture)
+                       ? "stay: it is as good"
+                       : turn_text(*file.angle, posture->optimum.angle));
   text += summary.text(style);
   if (differ) text += "\n" + wrapped(why_pinching_costs<2>(grasp, lowest, *pinched));
   if (!pinched) text += "\nThere is no pinched minimum" + scope(settings) + ".\n";

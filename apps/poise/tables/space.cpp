@@ -88,9 +88,9 @@ std::string report(const SpatialFile& file, const Grasp<3>& grasp, const BestAns
   if (answer.now) add_posture(summary, "now", grasp, *answer.now, "");
   for (const auto& [which, posture] : shown) {
     const Turn turn = turn_to(answer.orientation, posture->up);
-    add_posture<3>(summary, which, grasp, *posture,
-                   answer.now && ties_with(*answer.now, *posture) ? "stay: it is as good"
-                                                                  : turn_text(turn));
+    add_posture<3>(
+        summary, which, grasp, *posture,
+        answer.now && ties_with(*answer.now, *posture) ? "stay: it is as good" : turn_text(turn));
     std::vector<std::string> row{which};
     for (const double part :
          {turn.rotation.w(), turn.rotation.x(), turn.rotation.y(), turn.rotation.z()})
