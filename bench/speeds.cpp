@@ -78,7 +78,7 @@ int main() {
   for (const int fingers : {2, 4}) {
     const Grasp<2> grasp = disk(fingers);
     const char* name = fingers == 2 ? "posture_curve, 2 contacts" : "posture_curve, 4 contacts";
-    report(name, [&](int) { sink = posture_curve(grasp).arcs.front().V.c0; });
+    report(name, [&](int) { sink = posture_curve(grasp).arcs.front().value.c0; });
   }
   const Grasp<2> planar = disk(2);
   report("best in the plane, 2 contacts", [&](int) { sink = best_posture(planar).lower_bound; });

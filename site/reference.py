@@ -149,7 +149,7 @@ def signature(stub: ast.FunctionDef, written: str, name: str) -> str:
     arguments.args = [each for each in arguments.args if each.arg != "self"]
 
     def default(argument: ast.arg, value: ast.expr) -> ast.expr:
-        found = re.search(rf"\b{argument.arg}: [^=]*? = (.*?)(?=, \w+: |$)", written)
+        found = re.search(rf"\b{argument.arg}: [^=]*? = (.*?)(?=, \w+: |, \*|$)", written)
         if not found:
             raise headers.Unread(f"{name}: no default of {argument.arg} in {written!r}")
         return ast.parse(re.sub(r"<(\w+\.\w+): [^>]*>", r"\1", found[1]), mode="eval").body

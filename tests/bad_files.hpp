@@ -200,7 +200,7 @@ inline const std::vector<BadFile> bad_files{
      "object: {weight: 10, com: [0, 0]}\n"
      "contacts:\n"
      "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
-     "3:9: domain: is \"cradled\", must be all or pinched"},
+     "3:9: domain: is \"cradled\", must be all or pinching-up"},
     {"unknown unit",
      "poise: 1\n"
      "dimension: 2\n"
@@ -703,11 +703,11 @@ inline const std::vector<BadFile> bad_files{
     {"pinched in space",
      "poise: 1\n"
      "dimension: 3\n"
-     "domain: pinched\n"
+     "domain: pinching-up\n"
      "object: {weight: 10, com: [0, 0, 0]}\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:9: domain: pinched is for the plane, must be all: best_pinched is shown anyway"},
+     "3:9: domain: pinching-up is for the plane, must be all: best_pinched is shown anyway"},
     {"unknown domain in space",
      "poise: 1\n"
      "dimension: 3\n"
@@ -715,7 +715,7 @@ inline const std::vector<BadFile> bad_files{
      "object: {weight: 10, com: [0, 0, 0]}\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:9: domain: is \"any\", must be all or pinched"},
+     "3:9: domain: is \"any\", must be all or pinching-up"},
     {"up of two numbers",
      "poise: 1\n"
      "dimension: 3\n"

@@ -158,7 +158,7 @@ TEST_F(Batch, OnePostureOfEachGrasp) {
     const Json record =
         Json::parse(poise(std::string("batch in.jsonl --what hold ") + posture).out);
     const Json one = json(std::string("hold one.json ") + posture);
-    for (const char* key : {"holdable", "effort", "lower_bound", "grip_force", "fingers"})
+    for (const char* key : {"holdable", "effort", "lower_bound", "grip", "fingers"})
       EXPECT_EQ(record[key], one[key]) << posture;
     EXPECT_NEAR(record["angle_deg"], one["angle_deg"], 1e-12) << posture;
   }
@@ -179,8 +179,7 @@ TEST_F(Batch, AFolderInTheOrderOfNames) {
   const char* const names[] = {"bad.json", "box-soft-jaws.yaml", "ito-fig6.yaml", "l-part.yaml"};
   for (std::size_t k = 0; k < out.size(); ++k) EXPECT_EQ(Json::parse(out[k])["file"], names[k]);
   EXPECT_EQ(Json::parse(out[0])["error"]["line"], 2);
-  EXPECT_EQ(Json::parse(out[3])["best"]["grip_force"],
-            json("best " + example("l-part"))["best"]["grip_force"]);
+  EXPECT_EQ(Json::parse(out[3])["best"]["grip"], json("best " + example("l-part"))["best"]["grip"]);
   fs::create_directories(folder() / "empty");
   EXPECT_EQ(poise("batch empty").status, 2);
 }

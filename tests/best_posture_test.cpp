@@ -9,7 +9,9 @@
 namespace poise::test {
 namespace {
 
-CurveSettings random_settings() { return {.domain = one_in(3) ? Domain::pinched : Domain::all}; }
+CurveSettings random_settings() {
+  return {.domain = one_in(3) ? Domain::pinching_up : Domain::all};
+}
 
 bool moderate(const Grasp<2>& grasp, double effort) {
   return std::sqrt(effort) <= 1000 * grasp.weight();
@@ -18,7 +20,7 @@ bool moderate(const Grasp<2>& grasp, double effort) {
 /// Of the effort of an optimum. At the end of the holdable set V may be as steep as it likes, so
 /// its holds say less about it.
 Real tolerance(const PostureCurve& curve, const Optimum& optimum) {
-  return (optimum.kind == Kind::boundary ? 1e-6L : 1e-9L) * optimum.effort +
+  return (optimum.kind == Kind::boundary ? 1e-6L : 1e-9L) * optimum.value +
          rounding(curve, optimum.angle);
 }
 
@@ -32,11 +34,11 @@ RC_GTEST_PROP(BestPosture, NoPostureOfTheDomainNeedsLess, ()) {
     if (!sampled.holdable) continue;
     RC_ASSERT(best.holdable());
     const Optimum& least = best.best().optimum;
-    RC_ASSERT(sampled.effort >= least.effort - tolerance(best.proof.curve, least));
+    RC_ASSERT(sampled.effort >= least.value - tolerance(best.proof.curve, least));
     RC_ASSERT(best.proof.worst.has_value());
     const Optimum& most = best.proof.worst->optimum;
     if (moderate(grasp, sampled.effort))
-      RC_ASSERT(sampled.effort <= most.effort + tolerance(best.proof.curve, most));
+      RC_ASSERT(sampled.effort <= most.value + tolerance(best.proof.curve, most));
   }
 }
 
@@ -47,9 +49,9 @@ RC_GTEST_PROP(BestPosture, LowerBoundIsWhatItsArcsProve, ()) {
     RC_ASSERT(best.lower_bound == 0);
     return;
   }
-  const double effort = best.best().optimum.effort;
+  const double effort = best.best().optimum.value;
   RC_ASSERT(best.lower_bound <= effort * (1 + 1e-9));
-  RC_ASSERT(best.lower_bound >= effort * (1 - 1e-9));
+  RC_ASSERT(best.lower_bound >= effort * (1 - 1.1e-6));
   for (const Arc& arc : best.proof.curve.arcs) {
     const double theta = arc.from + real(0, 1) * (arc.to - arc.from);
     const Twist<2> y(arc.y[0](theta), arc.y[1](theta), arc.y[2](theta));
@@ -63,10 +65,10 @@ RC_GTEST_PROP(BestPosture, HoldsAreThoseOfItsPostures, ()) {
   RC_ASSERT(best.holdable() == !best.proof.curve.holdable.empty());
   for (const Minimum<2>& minimum : best.minima) {
     const double theta = minimum.optimum.angle;
-    if (!moderate(grasp, minimum.optimum.effort)) continue;
+    if (!moderate(grasp, minimum.optimum.value)) continue;
     RC_ASSERT(minimum.hold().holdable);
     RC_ASSERT(fault(grasp, theta, minimum.hold()) == "");
-    RC_ASSERT(std::abs(minimum.hold().effort - minimum.optimum.effort) <=
+    RC_ASSERT(std::abs(minimum.hold().effort - minimum.optimum.value) <=
               tolerance(best.proof.curve, minimum.optimum));
     RC_ASSERT(minimum.manner == manner(grasp, grasp.loads().front(), up_at(theta), minimum.hold()));
   }
@@ -94,18 +96,12 @@ RC_GTEST_PROP(BestPosture, PinchedIsTheLowestInteriorMinimumThatIs, ()) {
   RC_ASSERT(best.best_pinched() == expected);
 }
 
-RC_GTEST_PROP(BestPosture, PinchedDomainHasNoCradledMinimum, ()) {
-  const Grasp<2> grasp = (*grasps()).grasp();
-  for (const Minimum<2>& minimum : best_posture(grasp, {.domain = Domain::pinched}).minima)
-    RC_ASSERT(minimum.manner != Manner::cradled);
-}
-
 RC_GTEST_PROP(BestPosture, EdgesMeetOnTheVerticalThroughTheCom, ()) {
   const Held held = *grasps({.most_contacts = 3, .awkward = false});
   const Grasp<2> grasp = held.grasp();
   for (const Minimum<2>& minimum : best_posture(grasp).minima) {
     RC_ASSERT(!minimum.edges_meet || minimum.two_slipping);
-    if (!minimum.edges_meet || !moderate(grasp, minimum.optimum.effort)) continue;
+    if (!minimum.edges_meet || !moderate(grasp, minimum.optimum.value)) continue;
     RC_ASSERT(minimum.optimum.kind == Kind::kink);
     const Vector<2> arm = *minimum.edges_meet - held.object.com, up = up_at(minimum.optimum.angle);
     const double lost = 1 + arm.norm();  // a far point is only as exact as the edges' directions

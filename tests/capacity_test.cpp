@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include "poise/grip.hpp"
 #include "random_space_grasps.hpp"
 #include "second_sources.hpp"
 #include "space_checks.hpp"
@@ -72,7 +73,7 @@ TEST(Capacity, OfTwoOpposedFingersIsTwiceTheirFriction) {
   EXPECT_EQ(range.least.weight, 0);
   EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
   EXPECT_NEAR(range.greatest.bound, 2 * 0.4 * 25, 1e-9);
-  EXPECT_NEAR(grip_force(grasp, range.greatest.posture.hold()), 25, 1e-5);
+  EXPECT_NEAR(grip(grasp, range.greatest.posture.hold()), 25, 1e-5);
   for (const Deciding& contact : range.deciding) {
     EXPECT_TRUE(contact.slipping);
     EXPECT_NEAR(contact.per_newton, 0.4, 1e-9);
@@ -374,6 +375,281 @@ RC_GTEST_PROP(CapacityInSpace, LeastFrictionIsWhereHoldingBegins, ()) {
   if (one_in(20)) check_friction_by_holding(held.grasp(), space::random_direction());
 }
 
+// ---- Drives and pads
+// ---------------------------------------------------------------------------------
+
+Contact<3> jaw(const Vector<3>& position, const Vector<3>& normal, double friction,
+               const std::string& name) {
+  return {.position = position, .normal = normal, .friction = friction, .finger = name};
+}
+std::vector<Contact<3>> two_jaws(double friction) {
+  return {jaw({-0.02, 0, 0}, {1, 0, 0}, friction, "left"),
+          jaw({0.02, 0, 0}, {-1, 0, 0}, friction, "right")};
+}
+std::vector<Contact<3>> two_pads(double friction) {
+  std::vector<Contact<3>> jaws = two_jaws(friction);
+  for (Contact<3>& contact : jaws)
+    contact.pad = rectangular_pad({0.02, 0.01}, {0, 1, 0}, contact.normal);
+  return jaws;
+}
+Mechanism<3> limited(DriveKind kind, double left, double right) {
+  return {.kind = kind,
+          .fingers = {{.name = "left", .max_force = left}, {.name = "right", .max_force = right}}};
+}
+const Vector<3> z_up(0, 0, 1);
+
+template <int Dim>
+WeightRange<Dim> weights(const Grasp<Dim>& grasp, const Vector<Dim>& up) {
+  return weight_range(grasp, grasp.loads().front(), up);
+}
+
+TEST(CapacityOfDrives, OfTwoJawsIsTwiceTheFrictionOfTheWeaker) {
+  for (const double other : {40.0, 30.0}) {
+    const Grasp<3> grasp({.weight = 7}, two_jaws(0.3), 1, limited(DriveKind::each, 30, other));
+    const WeightRange<3> range = weights(grasp, z_up);
+    ASSERT_TRUE(range.holdable);
+    EXPECT_NEAR(range.greatest.bound, 2 * 0.3 * 30, 1e-8);
+    EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
+    EXPECT_EQ(range.least.weight, 0);
+    // Both give the same force: the weaker decides, or both together.
+    ASSERT_EQ(range.deciding_drives.size(), 2U);
+    EXPECT_NEAR(range.deciding_drives[0] + range.deciding_drives[1], 2 * 0.3, 1e-7);
+    if (other > 30) EXPECT_NEAR(range.deciding_drives[0], 2 * 0.3, 1e-7);
+    for (const Deciding& contact : range.deciding) {
+      EXPECT_EQ(contact.per_newton, 0);
+      EXPECT_TRUE(contact.slipping);
+    }
+    const LeastFriction<3> friction = least_friction(grasp, grasp.loads().front(), z_up);
+    EXPECT_NEAR(0.3 * friction.bound, 7 / (2 * 30.0), 1e-9);
+    EXPECT_TRUE(narrow(friction.factor, friction.bound));
+  }
+}
+
+// A vendor's rule for a gripper of which the fingers move together: W = 2 F C / S.
+TEST(CapacityOfDrives, OfAGripperIsTheVendorsRule) {
+  const double F = 130, C = 0.3, S = 2.4;
+  const Grasp<3> grasp({.weight = 13}, two_jaws(C), S, limited(DriveKind::coupled, F, infinity));
+  const WeightRange<3> range = weights(grasp, z_up);
+  EXPECT_NEAR(range.greatest.bound, 2 * F * C / S, 1e-8);
+  EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
+  ASSERT_EQ(range.deciding_drives.size(), 1U);
+  EXPECT_NEAR(range.deciding_drives[0], 2 * C / S, 1e-8);
+}
+
+TEST(CapacityOfDrives, OfThreeFingersIsThatOfAll) {
+  std::vector<Contact<3>> contacts;
+  Mechanism<3> mechanism;
+  for (int k = 0; k < 3; ++k) {
+    const Vector<2> out = direction(2 * pi * k / 3);
+    contacts.push_back(
+        jaw({out.x(), out.y(), 0}, {-out.x(), -out.y(), 0}, 0.45, std::to_string(k)));
+    mechanism.fingers.push_back({.name = std::to_string(k), .max_force = 20});
+  }
+  const Grasp<3> grasp({.weight = 9.8}, contacts, 1.5, mechanism);
+  const WeightRange<3> range = weights(grasp, z_up);
+  EXPECT_NEAR(range.greatest.bound, 20 * 3 * 0.45 / 1.5, 1e-7);
+  EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
+}
+
+// In one finger all contacts share what the drive gives; own limits count too.
+TEST(CapacityOfDrives, CountsLimitsOfContactsAsWell) {
+  std::vector<Contact<3>> contacts = {jaw({-0.02, 0, 0.01}, {1, 0, 0}, 0.5, "left"),
+                                      jaw({0.02, 0, 0}, {-1, 0, 0}, 0.5, "right"),
+                                      jaw({-0.02, 0, -0.01}, {1, 0, 0}, 0.5, "left")};
+  for (Contact<3>& contact : contacts) contact.max_normal = 8;
+  contacts[1].max_normal = infinity;
+  const auto greatest = [&](double most) {
+    return weights(Grasp<3>({.weight = 1}, contacts, 1, limited(DriveKind::each, most, most)), z_up)
+        .greatest;
+  };
+  EXPECT_NEAR(greatest(12).bound, 12, 1e-8);  // the drives decide
+  EXPECT_NEAR(greatest(50).bound, 16, 1e-8);  // the two contacts of 8 N
+  EXPECT_TRUE(narrow(greatest(50).weight, greatest(50).bound));
+}
+
+TEST(CapacityOfDrives, IsAnyWhereFixedFingersCarryTheObject) {
+  const std::vector<Contact<3>> contacts = {
+      jaw({0.1, 0, 0}, {0, 0, 1}, 0.5, "fork"), jaw({-0.1, 0.1, 0}, {0, 0, 1}, 0.5, "fork"),
+      jaw({-0.1, -0.1, 0}, {0, 0, 1}, 0.5, "fork"), jaw({0, 0, 0.1}, {0, 0, -1}, 0.5, "jaw")};
+  Mechanism<3> mechanism{.kind = DriveKind::listed};
+  Twist<3> down = Twist<3>::Zero();
+  down[2] = -1;
+  mechanism.drives.push_back({"jaw", {{"jaw", down}}, 5});
+  const Grasp<3> grasp({.weight = 5}, contacts, 1, mechanism);
+  const WeightRange<3> range = weights(grasp, z_up);
+  EXPECT_EQ(range.greatest.weight, infinity);
+  ASSERT_TRUE(range.greatest.posture.hold().holdable);
+  EXPECT_NEAR(range.greatest.posture.hold().forces[3].normal, 0, 1e-8);
+  // Upside down the jaw carries it.
+  const WeightRange<3> hanging = weights(grasp, Vector<3>(0, 0, -1));
+  EXPECT_NEAR(hanging.greatest.bound, 5, 1e-8);
+  EXPECT_TRUE(narrow(hanging.greatest.weight, hanging.greatest.bound));
+  EXPECT_NEAR(hanging.deciding_drives[0], 1, 1e-8);
+}
+
+TEST(CapacityOfDrives, HasALeastWeightWhereAFingerMustPress) {
+  // Pushed from below with 12 N or more, between jaws that carry up to 0.3 * 5 N each.
+  std::vector<Contact<3>> contacts = two_jaws(0.3);
+  contacts.push_back(jaw({0, 0, -0.02}, {0, 0, 1}, 0.3, "floor"));
+  contacts.back().min_normal = 12;
+  Mechanism<3> mechanism = limited(DriveKind::each, 5, 5);
+  mechanism.fingers.push_back({.name = "floor", .max_force = 20});
+  const Grasp<3> grasp({.weight = 10}, contacts, 1, mechanism);
+  const WeightRange<3> range = weights(grasp, z_up);
+  ASSERT_TRUE(range.holdable);
+  EXPECT_NEAR(range.least.bound, 12 - 2 * 0.3 * 5, 1e-6);
+  EXPECT_NEAR(range.greatest.bound, 20 + 2 * 0.3 * 5, 1e-6);
+  EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
+  EXPECT_TRUE(narrow(range.least.weight, range.least.bound));
+}
+
+TEST(CapacityOfPads, IsTheLimitOverTheGripOfANewton) {
+  for (const DriveKind kind : {DriveKind::each, DriveKind::coupled}) {
+    const Load<3> load{.weight = 3, .com = {0, 0.015, 0.004}};
+    const double F = least_grip(Grasp<3>(load, two_pads(0.4), 1, {.kind = kind}), z_up).grip;
+    const Grasp<3> grasp(load, two_pads(0.4), 1, limited(kind, 25, 25));
+    const WeightRange<3> range = weights(grasp, z_up);
+    EXPECT_NEAR(range.greatest.bound, 25 * 3 / F, 1e-6);
+    EXPECT_TRUE(narrow(range.greatest.weight, range.greatest.bound));
+    // Without limits any weight; with those of the pads instead of the drives the same.
+    EXPECT_EQ(weights(Grasp<3>(load, two_pads(0.4)), z_up).greatest.weight, infinity);
+    std::vector<Contact<3>> pads = two_pads(0.4);
+    for (Contact<3>& contact : pads) contact.max_normal = 25;
+    const WeightRange<3> by_pads = weights(Grasp<3>(load, pads), z_up);
+    EXPECT_NEAR(by_pads.greatest.bound, 25 * 3 / F, 1e-6);
+    EXPECT_NEAR(by_pads.deciding[0].per_newton + by_pads.deciding[1].per_newton, 3 / F, 1e-6);
+  }
+}
+
+TEST(CapacityOfPads, LeastFrictionIsWhereHoldingBegins) {
+  const Load<3> load{.weight = 3, .com = {0, 0.015, 0.004}};
+  const Grasp<3> grasp(load, two_pads(0.8), 1, limited(DriveKind::coupled, 25, 25));
+  const LeastFriction<3> friction = least_friction(grasp, load, z_up);
+  ASSERT_LT(friction.factor, 1);
+  EXPECT_TRUE(narrow(friction.factor, friction.bound));
+  const auto holds = [&](double factor) {
+    return hold(Grasp<3>(load, two_pads(0.8 * factor), 1, grasp.mechanism()), z_up).holdable;
+  };
+  EXPECT_TRUE(holds(friction.factor * (1 + 1e-6)));
+  EXPECT_FALSE(holds(friction.bound * (1 - 1e-6)));
+}
+
+TEST(CapacityOfDrives, CommandsTheGripWithItsSafety) {
+  for (const bool pads : {false, true}) {
+    const Grasp<3> grasp({.weight = 9}, pads ? two_pads(0.3) : two_jaws(0.3), 1,
+                         limited(DriveKind::coupled, 20, 20));
+    const Posture<3> safe = capacity(grasp, grasp.loads().front(), z_up, 1.5).safe;
+    ASSERT_TRUE(safe.holdable());
+    EXPECT_EQ(safe.hold().objective, Objective::grip);
+    EXPECT_NEAR(safe.hold().grip, 1.5 * 9 / (2 * 0.3), 1e-6);  // more than the 20 N of the gripper
+  }
+}
+
+/// What (y, rates) prove, from the contacts alone: whether more than the grasp's weight is needed.
+template <int Dim>
+bool excludes(const Grasp<Dim>& grasp, const Vector<Dim>& up, const WeightEnd<Dim>& end) {
+  const std::vector<Drive<Dim>> drives = grasp.drives();
+  Real most = 0;
+  for (std::size_t a = 0; a < end.rates.size(); ++a)
+    if (end.rates[a] > 0) most += Real{end.rates[a]} * drives[a].max;
+  Real squared = 0;
+  for (const Contact<Dim>& contact : grasp.contacts()) {
+    Twist<Dim> felt = end.dual;
+    for (std::size_t a = 0; a < end.rates.size(); ++a)
+      for (const auto& moved : drives[a].moves)
+        if (moved.finger == contact.finger) felt -= end.rates[a] * moved.twist;
+    const Push z = push(contact, felt);
+    const Real mu = contact.friction, along = z.normal + mu * z.beside;
+    if (std::isfinite(contact.max_normal)) {
+      most += std::max(contact.max_normal * along, contact.min_normal * along);
+      continue;
+    }
+    most += contact.min_normal * along;
+    if (along > 0) squared += along * along;  // no less than the projection
+  }
+  return end.dual.template cast<Real>().dot(load_of(grasp, up)) >
+         most + cap * grasp.weight() * std::sqrt(squared);
+}
+
+template <int Dim, class Recipe>
+void check_drives(const Recipe& held, const Vector<Dim>& up) {
+  Mechanism<Dim> mechanism;
+  mechanism.kind = one_in(3) ? DriveKind::coupled : DriveKind::each;
+  const Hand<Dim> hand = held.grasp();
+  for (const std::string& name : hand.fingers())
+    mechanism.fingers.push_back({.name = name, .max_force = real(1, 40)});
+  for (std::size_t k = 0; k < hand.fingers().size(); ++k)
+    if (hand.closing(k).isZero(0)) return;
+  const Load<Dim> load = held.grasp().loads().front();
+  const Grasp<Dim> grasp(load, held.contacts, 1, mechanism);
+  const WeightRange<Dim> range = weights(grasp, up);
+  if (!range.holdable || range.greatest.weight == infinity) return;
+  const double greatest = range.greatest.bound;
+  if (greatest < 1e-3) return;
+  RC_ASSERT(difference(range.greatest.weight, greatest) <= 1e-6);
+  const auto at = [&](double weight) {
+    return Grasp<Dim>({.weight = weight, .com = load.com}, held.contacts, 1, mechanism);
+  };
+  RC_ASSERT(excludes(at(greatest * (1 + 1e-6)), up, range.greatest));
+  RC_ASSERT(hold(at(range.greatest.weight * (1 - 1e-6)), up).holdable);
+  RC_ASSERT(!hold(at(greatest * (1 + 1e-6)), up).holdable);
+  const Hold<Dim>& held_there = range.greatest.posture.hold();
+  for (const DriveEffort& drive : drive_efforts(grasp, held_there))
+    RC_ASSERT(drive.part_of_max <= 1 + 1e-7);
+  if (range.least.weight > 1e-3) {
+    RC_ASSERT(excludes(at(range.least.bound * (1 - 1e-6)), up, range.least));
+    RC_ASSERT(difference(range.least.weight, range.least.bound) <= 1e-6);
+  }
+  const bool pressed = std::any_of(held.contacts.begin(), held.contacts.end(),
+                                   [](const auto& contact) { return contact.min_normal > 0; });
+  if (pressed) return;
+  // The same by the least grip: all limits in the same parts, those of contacts as they are.
+  bool own = false;
+  for (const Contact<Dim>& contact : held.contacts) own = own || std::isfinite(contact.max_normal);
+  const Hold<Dim> grip = least_grip(at(1), up);
+  if (!own && grip.holdable && grip.grip > 1e-6)
+    RC_ASSERT(difference(most_grip<Dim>(grasp) / grip.grip, greatest) <= 1e-6);
+}
+
+RC_GTEST_PROP(CapacityOfDrives, IsProvenAndIsTheLimitOverTheLeastGripInThePlane, ()) {
+  if (!one_in(4)) return;
+  const Held held = *grasps({.most_contacts = 5, .limits = one_in(2), .awkward = false});
+  check_drives<2>(held, up_at(random_angle()));
+}
+RC_GTEST_PROP(CapacityOfDrives, IsProvenAndIsTheLimitOverTheLeastGripInSpace, ()) {
+  if (!one_in(4)) return;
+  const space::Held held = *space::grasps(
+      {.least_contacts = 2, .most_contacts = 6, .limits = one_in(2), .awkward = false});
+  check_drives<3>(held, space::random_direction());
+}
+
+/// Held on one side of a limit, not on the other.
+template <class Holds>
+void changes_at(const Holds& holds, double held, double not_held) {
+  RC_ASSERT(holds(held));
+  RC_ASSERT(!holds(not_held));
+}
+
+RC_GTEST_PROP(CapacityOfDrives, LeastFrictionIsWhereHoldingBegins, ()) {
+  if (!one_in(3)) return;
+  const space::Held held =
+      *space::grasps({.least_contacts = 3, .most_contacts = 6, .limits = false, .awkward = false});
+  Mechanism<3> mechanism;
+  for (std::size_t k = 0; k < held.contacts.size(); ++k)
+    mechanism.fingers.push_back({.name = std::to_string(k), .max_force = real(1, 40)});
+  const Load<3> load = held.grasp().loads().front();
+  const Grasp<3> grasp(load, held.contacts, 1, mechanism);
+  const Vector<3> up = space::random_direction();
+  const LeastFriction<3> friction = least_friction(grasp, load, up);
+  if (!(friction.factor < 1e3) || friction.bound < 1e-3) return;
+  RC_ASSERT(difference(friction.factor, friction.bound) <= 3e-6);
+  const auto holds = [&](double factor) {
+    const Grasp<3> other = with_friction(held.grasp(), factor);
+    return hold(Grasp<3>(load, other.contacts(), 1, mechanism), up).holdable;
+  };
+  changes_at(holds, friction.factor * (1 + 1e-6), friction.bound * (1 - 1e-6));
+}
+
 // ---- Space
 // ---------------------------------------------------------------------------------------
 
@@ -402,13 +678,6 @@ TEST(CapacityInSpace, OfSoftJawsBesideTheComIsThatOfTheirEllipse) {
   const Grasp<3> hard({5, {0, arm, 0}}, {left, right});
   EXPECT_FALSE(weight_range(hard, hard.loads().front(), up).holdable);
   EXPECT_EQ(least_friction(hard, hard.loads().front(), up).factor, infinity);
-}
-
-/// Held on one side of a limit, not on the other.
-template <class Holds>
-void changes_at(const Holds& holds, double held, double not_held) {
-  RC_ASSERT(holds(held));
-  RC_ASSERT(!holds(not_held));
 }
 
 RC_GTEST_PROP(CapacityInSpace, IsWhereHoldingEnds, ()) {

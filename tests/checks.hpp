@@ -227,7 +227,7 @@ inline std::string fault(const Grasp<2>& grasp, double theta, const Hold<2>& hol
 /// V of an arc has no digits beyond those of its coefficients, which are far larger than V where
 /// the arc is steep.
 inline Real rounding(const Arc& arc) {
-  const Harmonic2& V = arc.V;
+  const Harmonic2& V = arc.value;
   return 1e-13L * (std::abs(V.c0) + std::hypot(V.cos1, V.sin1) + std::hypot(V.cos2, V.sin2));
 }
 

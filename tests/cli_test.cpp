@@ -30,7 +30,7 @@ void expect_minimum(const Json& minimum, double angle, double effort, const std:
 }
 
 TEST_F(CommandLine, FindsTheOptimaOfThePapersFig6) {
-  const Json pinched = json("best " + example("ito-fig6") + " --domain pinched");
+  const Json pinched = json("best " + example("ito-fig6") + " --domain pinching-up");
   ASSERT_EQ(pinched["minima"].size(), 3U);
   expect_minimum(pinched["minima"][0], 105, 100, "boundary", "resting");
   expect_minimum(pinched["minima"][1], -105, 100, "boundary", "resting");
@@ -45,7 +45,7 @@ TEST_F(CommandLine, FindsTheOptimaOfThePapersFig6) {
 
 TEST_F(CommandLine, HoldsThePapersFig4cAtTheEndsAlone) {
   write("4c.yaml", fig_4c);
-  const Json best = json("best 4c.yaml --domain pinched");
+  const Json best = json("best 4c.yaml --domain pinching-up");
   ASSERT_EQ(best["minima"].size(), 2U);
   expect_minimum(best["minima"][0], 135, 100, "boundary", "resting");
   expect_minimum(best["minima"][1], -135, 100, "boundary", "resting");
@@ -60,19 +60,20 @@ TEST_F(CommandLine, HoldsThePapersFig4cAtTheEndsAlone) {
 TEST_F(CommandLine, GivesTheAnswersThatTheExamplesTell) {
   const Json l_part = json("best " + example("l-part"));
   EXPECT_NEAR(l_part["best"]["angle_deg"], 131.99, 0.005);
-  EXPECT_NEAR(l_part["best"]["grip_force"], 1.184, 0.0005);
-  EXPECT_EQ(l_part["best"]["manner"], "cradled");
-  EXPECT_NEAR(l_part["best_pinched"]["angle_deg"], -25.46, 0.005);
-  EXPECT_NEAR(l_part["best_pinched"]["grip_force"], 1.233, 0.0005);
-  EXPECT_NEAR(json("hold " + example("l-part"))["grip_force"], 2.125, 0.0005);
+  EXPECT_NEAR(l_part["best"]["grip"], 1.184, 0.0005);
+  EXPECT_EQ(l_part["best"]["manner"], "pinched");  // parallel pads, all friction used
+  EXPECT_EQ(l_part["best_pinched"], l_part["best"]);
+  EXPECT_NEAR(l_part["minima"][1]["angle_deg"], -25.46, 0.005);
+  EXPECT_NEAR(l_part["minima"][1]["grip"], 1.233, 0.0005);
+  EXPECT_NEAR(json("hold " + example("l-part"))["grip"], 2.125, 0.0005);
 
   const Json hexagon = json("best " + example("hexagon-three-fingers"));
   EXPECT_NEAR(hexagon["best"]["angle_deg"], -173.22, 0.005);
-  EXPECT_NEAR(hexagon["best"]["grip_force"], 5.057, 0.0005);
+  EXPECT_NEAR(hexagon["best"]["grip"], 5.057, 0.0005);
   EXPECT_EQ(hexagon["best"]["contacts"][2]["limit"], "min");
   EXPECT_NEAR(hexagon["holdable_arcs_deg"][0][0], 54, 0.5);
   EXPECT_NEAR(hexagon["holdable_arcs_deg"][0][1], 360 - 54, 0.5);
-  EXPECT_NEAR(json("hold " + example("hexagon-three-fingers"))["grip_force"], 7.072, 0.0005);
+  EXPECT_NEAR(json("hold " + example("hexagon-three-fingers"))["grip"], 7.072, 0.0005);
 }
 
 TEST_F(CommandLine, ExitsWith1WhereNothingCanBeHeld) {
@@ -131,7 +132,7 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
       {"hold 4c.yaml --up 1,2,3,4", "--up: '1,2,3,4' is not a direction"},
       {"hold 4c.yaml --up 1,2,3",
        "--up: has 3 numbers, must have 2: 4c.yaml is in the plane (dimension 2)"},
-      {"best 4c.yaml --domain half", "--domain: 'half' must be all or pinched"},
+      {"best 4c.yaml --domain half", "--domain: 'half' must be all or pinching-up"},
       {"best 4c.yaml --force-cap 0", "--force-cap: '0' is not a number of weights"},
       {"best 4c.yaml --force-cap -1", "--force-cap: '-1'"},
       {"best 4c.yaml --force-cap 1e10", "--force-cap: '1e10'"},
@@ -188,8 +189,8 @@ TEST_F(CommandLine, ReadsStandardInput) {
 }
 
 TEST_F(CommandLine, TheFlagOverridesTheDomainOfTheFile) {
-  write("pinched.yaml", fig_4c + "domain: pinched\n");
-  EXPECT_EQ(json("best pinched.yaml")["options"]["domain"], "pinched");
+  write("pinched.yaml", fig_4c + "domain: pinching-up\n");
+  EXPECT_EQ(json("best pinched.yaml")["options"]["domain"], "pinching-up");
   EXPECT_EQ(json("best pinched.yaml")["minima"].size(), 2U);
   EXPECT_EQ(json("best pinched.yaml --domain all")["options"]["domain"], "all");
   EXPECT_EQ(json("best pinched.yaml --domain all")["best"]["angle_deg"], 180.0);
@@ -219,10 +220,45 @@ TEST_F(CommandLine, PrintsNoColourIntoAPipe) {
     EXPECT_EQ(poise(command + example("l-part"), "TERM=xterm").out.find('\033'), std::string::npos);
 }
 
+/// A block of 10 N between two fingers of friction 0.4, which need 12.5 N.
+std::string vice_with(const std::string& rest) {
+  return "{\"poise\": 1, \"dimension\": 2, " + rest +
+         "\"object\": {\"weight\": 10, \"com\": [0, 0]},\n \"contacts\": [\n"
+         "  {\"position\": [-1, 0], \"normal\": [1, 0], \"friction\": 0.4, \"finger\": \"a\"},\n"
+         "  {\"position\": [1, 0], \"normal\": [-1, 0], \"friction\": 0.4, \"finger\": \"b\"}]}\n";
+}
+
 TEST_F(CommandLine, SaysHowToGetFromNowToTheBest) {
-  const std::string out = poise("best " + example("l-part")).out;
-  for (const char* words : {"now", "best pinched", "turn by 25.46° clockwise", "times the effort"})
+  write("turned.yaml", contents(POISE_EXAMPLES "/ito-fig6.yaml") + "angle_deg: 0\n");
+  const std::string out = poise("best turned.yaml").out;
+  for (const char* words :
+       {"now", "best pinched", "turn by 30.00° counter-clockwise", "times the effort"})
     EXPECT_NE(out.find(words), out.npos) << words << "\n" << out;
+  // Where it is already as good, it stays.
+  write("there.yaml", contents(POISE_EXAMPLES "/ito-fig6.yaml") + "angle_deg: -165\n");
+  EXPECT_NE(poise("best there.yaml").out.find("stay"), std::string::npos);
+}
+
+TEST_F(CommandLine, FindsThePostureOfLeastGripInThePlane) {
+  const Json grip = json("best " + example("hexagon-three-fingers") + " --objective grip");
+  const Json effort = json("best " + example("hexagon-three-fingers"));
+  EXPECT_EQ(grip["status"], "optimal");
+  for (const Json& minimum : effort["minima"])
+    EXPECT_LE(grip["best"]["grip"], minimum["grip"].get<double>() * (1 + 1e-7));
+  EXPECT_LT(grip["best"]["grip"], 0.95 * effort["best"]["grip"].get<double>());
+  for (const std::string command : {"best", "curve"}) {
+    const std::string asked =
+        command + " " + example("hexagon-three-fingers") + " --objective grip";
+    write("result.json", poise(asked + " --json").out);
+    EXPECT_EQ(poise("verify " + example("hexagon-three-fingers") + " result.json").status, 0)
+        << command;
+  }
+  // A jaw that can press with 10 N holds no more than 2 mu times that.
+  write("weak.json", vice_with("\"drives\": \"each\", \"fingers\": {\"a\": {\"max_force\": 9}, "
+                               "\"b\": {\"max_force\": 9}}, \"objective\": \"grip\", "));
+  const Outcome weak = poise("best weak.json");
+  EXPECT_EQ(weak.status, 1) << weak.out << weak.err;
+  EXPECT_NE(weak.out.find("more than their max of 9"), std::string::npos) << weak.out;
 }
 
 TEST_F(CommandLine, SaysSoWhereTheAnswerCannotBeWritten) {
@@ -311,7 +347,7 @@ TEST_F(Plot, DrawsEveryExampleAsItHangs) {
   }
   // The posture may be given, and need not hold; the file's name stays its own.
   EXPECT_EQ(poise("draw " + example("l-part") + " --angle 20 -o a.svg").status, 0);
-  EXPECT_NE(contents(folder() / "a.svg").find("at 20.00°: grip force"), std::string::npos);
+  EXPECT_NE(contents(folder() / "a.svg").find("at 20.00°: grip "), std::string::npos);
   EXPECT_EQ(poise("draw " + example("bottle") + " --up 1,0,0 -o a.svg").status, 0);
   EXPECT_EQ(poise("draw " + example("box-hard-jaws") + " --up 0,0,1 -o a.png").status, 1);
   write("old.png", "old");
@@ -376,9 +412,9 @@ TEST_F(CommandLine, CapacityIsWhatTwoFingersCarryByFriction) {
   EXPECT_NEAR(now["weight"]["greatest_bound"], 20, 1e-8);
   EXPECT_EQ(now["weight"]["any"], false);
   EXPECT_NEAR(now["friction"]["factor"], 0.5, 1e-6);
-  EXPECT_NEAR(now["command"]["grip_force"], 1.5 * 10 / (2 * 0.4), 1e-9);
+  EXPECT_NEAR(now["command"]["grip"], 1.5 * 10 / (2 * 0.4), 1e-9);
   EXPECT_EQ(document["capacities"][1]["posture"], "best");
-  EXPECT_NEAR(json("capacity vice.json --safety 1")["capacities"][0]["command"]["grip_force"], 12.5,
+  EXPECT_NEAR(json("capacity vice.json --safety 1")["capacities"][0]["command"]["grip"], 12.5,
               1e-9);
   // Upside down; and with less friction than it needs.
   EXPECT_NEAR(json("capacity vice.json --angle 180")["capacities"][0]["weight"]["greatest"], 20,
@@ -392,7 +428,35 @@ TEST_F(CommandLine, CapacityIsWhatTwoFingersCarryByFriction) {
   EXPECT_NE(run.out.find("20.00 N (2.039 kg), 2.000 times the given"), std::string::npos)
       << run.out;
   EXPECT_NE(run.out.find("0.2000 instead of 0.4000: a safety factor of 2.000"), std::string::npos);
-  EXPECT_NE(run.out.find("18.75 N, with a safety factor of 1.500"), std::string::npos);
+  EXPECT_NE(run.out.find("grip to command  18.75 N, with a safety factor of 1.500"),
+            std::string::npos);
+}
+
+TEST_F(CommandLine, CapacityOfDrivesSaysWhatToTypeIntoTheirController) {
+  const auto jaws = [&](const std::string& drives) {
+    write("jaws.yaml",
+          "poise: 1\ndimension: 2\nangle_deg: 0\nobject: {weight: 10, com: [0, 0]}\n" + drives +
+              "contacts:\n"
+              "  - {position: [-1, 0], normal: [1, 0], friction: 0.3, finger: left}\n"
+              "  - {position: [1, 0], normal: [-1, 0], friction: 0.3, finger: right}\n");
+    return poise("capacity jaws.yaml").out;
+  };
+  std::string out = jaws("drives: coupled\nfingers: {left: {max_force: 20}}\n");
+  EXPECT_NE(out.find("greatest weight  12.00 N (1.224 kg), 1.200 times"), std::string::npos) << out;
+  EXPECT_NE(out.find("grip to command  25.00 N (more than the gripper gives: 20.00 N), with"),
+            std::string::npos)
+      << out;
+  EXPECT_NE(out.find("the drive of all fingers gives its max; left and right use all\ntheir "
+                     "friction."),
+            std::string::npos)
+      << out;
+  write("answer.json", poise("capacity jaws.yaml --json").out);
+  EXPECT_EQ(poise("verify jaws.yaml answer.json").status, 0);
+  out = jaws("fingers: {left: {max_force: 50}, right: {max_force: 20}}\n");
+  EXPECT_NE(out.find("grip to command  125.0 % of max (more than the gripper gives), with"),
+            std::string::npos)
+      << out;
+  EXPECT_NE(out.find("the drive of right gives its max"), std::string::npos) << out;
 }
 
 TEST_F(CommandLine, CapacityHasALeastWeightWhereAFingerMustPress) {

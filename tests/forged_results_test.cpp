@@ -51,7 +51,7 @@ Json squeezed(const GraspFile& box, double s, double turning) {
     Json &contact = result["contacts"][i], &finger = result["fingers"][i];
     const double n = contact["normal_force"].get<double>() + s;
     const double t = contact["tangential_force"], y = contact["force"][1];
-    contact["normal_force"] = finger["normal_force"] = result["grip_force"] = n;
+    contact["normal_force"] = finger["normal_force"] = n;
     contact["force"][1] = finger["force"][1] = y < 0 ? -n : n;
     contact["friction_used"] = t / (0.4 * n);
     if (s > 0) contact["state"] = "sticking";
@@ -122,7 +122,7 @@ TEST(ForgedResults, HaveOptionsThatTheProgramTakes) {
   forged["options"]["safety"] = 2;
   expect_refuted(box, forged, "safety is an option of the command");
   forged = best;
-  forged["options"]["domain"] = "pinched";
+  forged["options"]["domain"] = "pinching-up";
   expect_refuted(box, forged, "domain is all in space");
 }
 
@@ -203,6 +203,67 @@ TEST(ForgedResults, HideNoPostureUnderNarrowArcs) {
   EXPECT_NE(problem(slim, forged), "");
 }
 
+/// A plate that hangs beside the two pads which hold it.
+GraspFile plate() {
+  return grasp_from_yaml(
+      "poise: 1\ndimension: 3\nobject: {weight: 10, com: [0.01, 0, -0.005]}\n"
+      "drives: coupled\ncontacts:\n"
+      "  - {position: [0, -0.01, 0], normal: [0, 1, 0], friction: 0.5, pad: {size: [0.02, 0.02],"
+      " axis: [1, 0, 0], grid: 3}}\n"
+      "  - {position: [0, 0.01, 0], normal: [0, -1, 0], friction: 0.6, pad: {size: [0.02, 0.02],"
+      " axis: [1, 0, 0], grid: 3}}\n",
+      "plate.yaml");
+}
+
+TEST(ForgedResults, OfPadsTellWhatEachPointCarries) {
+  const GraspFile file = plate();
+  for (const Objective objective : {Objective::grip, Objective::effort}) {
+    const Json hold = result_of(
+        file, {.command = Command::hold, .up = {0.3, 0.2, 0.933}, .objective = objective});
+    EXPECT_EQ(problem(file, hold), "");
+    const auto refuted = [&](const char* what, const auto& change) {
+      Json forged = hold;
+      change(forged);
+      EXPECT_NE(problem(file, forged), "") << to_string(objective) << ": " << what;
+    };
+    const auto times = [](Json& number, double factor) { number = factor * number.get<double>(); };
+    refuted("a point carries more", [&](Json& forged) {
+      for (Json& number : forged["contacts"][0]["point_forces"][4]) times(number, 1.001);
+    });
+    refuted("points change places", [&](Json& forged) {
+      Json& points = forged["contacts"][0]["point_forces"];
+      std::swap(points[0], points[8]);
+    });
+    refuted("all points carry more", [&](Json& forged) {
+      for (Json& point : forged["contacts"][1]["point_forces"])
+        for (Json& number : point) times(number, 1.001);
+    });
+    refuted("a point is missing",
+            [&](Json& forged) { forged["contacts"][0]["point_forces"].erase(0); });
+    refuted("no points", [&](Json& forged) { forged["contacts"][0].erase("point_forces"); });
+    refuted("the centre of pressure is elsewhere", [&](Json& forged) {
+      Json& x = forged["contacts"][0]["center_of_pressure"][0];
+      x = x.get<double>() + 1e-6;
+    });
+    refuted("a moment about the normal",
+            [&](Json& forged) { times(forged["contacts"][0]["torsion_moment"], 1.001); });
+    refuted("less friction",
+            [&](Json& forged) { times(forged["contacts"][0]["friction_used"], 0.99); });
+    refuted("another proof", [&](Json& forged) {
+      Json& y = forged[objective == Objective::grip ? "y" : "dual"];
+      for (Json& number : y) times(number, 1.1);
+    });
+    refuted("a lower bound", [&](Json& forged) { times(forged["lower_bound"], 1.001); });
+  }
+  const Json best = result_of(file, {.command = Command::best, .objective = Objective::grip});
+  EXPECT_EQ(problem(file, best), "");
+  Json forged = best;
+  for (Json& cut : forged["cuts"])
+    if (cut.contains("rates"))
+      for (Json& rate : cut["rates"]) rate = 0.9 * rate.get<double>();
+  EXPECT_NE(problem(file, forged), "");
+}
+
 /// What a gripper can hold, each number changed by itself and with what belongs to it.
 TEST(ForgedResults, HoldNoMoreAndNoLessThanTheyCan) {
   const GraspFile file = example("hexagon-three-fingers");
@@ -257,6 +318,89 @@ TEST(ForgedResults, HoldNoMoreAndNoLessThanTheyCan) {
   forged = result;
   forged["options"]["safety"] = 1.2;
   EXPECT_NE(problem(file, forged), "");
+}
+
+/// The same of a gripper whose drive limits it, and what it commands.
+TEST(ForgedResults, HoldNoMoreThanTheirDrivesGive) {
+  const GraspFile file = grasp_from_yaml(
+      "poise: 1\ndimension: 3\nobject: {weight: 10, com: [0, 0, 0]}\ndrives: coupled\n"
+      "fingers: {left: {max_force: 20}}\ncontacts:\n"
+      "  - {position: [-1, 0, 0], normal: [1, 0, 0], friction: 0.3, torsion: 0.1, finger: left}\n"
+      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 0.3, torsion: 0.1, finger: right}\n",
+      "jaws.yaml");
+  const Json result = result_of(file, {.command = Command::capacity, .up = {0, 0, 1}});
+  EXPECT_EQ(problem(file, result), "");
+  const Json& at = result["capacities"][0];
+  EXPECT_NEAR(at["weight"]["greatest_bound"], 2 * 20 * 0.3, 1e-7);
+  EXPECT_NEAR(at["command"]["grip"], 1.5 * 10 / (2 * 0.3), 1e-6);  // more than the drive gives
+  const auto refuted = [&](const std::string& what, const auto& change, const std::string& by) {
+    SCOPED_TRACE(what);
+    Json forged = result;
+    change(forged["capacities"][0]);
+    expect_refuted(file, forged, by);
+  };
+  const char* const of_bound = "no weight beyond the bound can be held, by its dual";
+  for (const double factor : {0.5, 0.999, 1.001})
+    refuted(
+        "rates",
+        [&](Json& forged) {
+          Json& rate = forged["weight"]["greatest_rates"][0];
+          rate = factor * rate.template get<double>();
+        },
+        of_bound);
+  refuted(
+      "no rates", [](Json& forged) { forged["weight"].erase("greatest_rates"); }, of_bound);
+  refuted(
+      "rates below 0", [](Json& forged) { forged["weight"]["greatest_rates"][0] = -1; },
+      "rates are of drives with a max");
+  refuted(
+      "rates of more drives", [](Json& forged) { forged["weight"]["greatest_rates"].push_back(0); },
+      "rates are of drives with a max");
+  refuted(
+      "per_newton", [](Json& forged) { forged["weight"]["drives"][0]["per_newton"] = 0.61; },
+      "per_newton is the rate of the drive");
+  refuted(
+      "a drive's name", [](Json& forged) { forged["weight"]["drives"][0]["name"] = "left"; },
+      "name is that of the drive");
+  refuted(
+      "no drives", [](Json& forged) { forged["weight"]["drives"] = Json::array(); },
+      "each drive decides or not");
+  refuted(
+      "more than the drive gives",
+      [&](Json& forged) { forged["weight"]["greatest_hold"] = at["command"]; },
+      "effort is at most max");
+  refuted(
+      "any weight",
+      [&](Json& forged) {
+        Json& weight = forged["weight"];
+        weight["any"] = true;
+        weight["greatest"] = weight["greatest_bound"] = nullptr;
+        weight["greatest_dual"] = {0, 0, 0, 0, 0, 0};
+        weight.erase("greatest_rates");
+        weight["contacts"] = weight["drives"] = Json::array();
+        weight["greatest_hold"] = result_of(file, {.command = Command::hold, .up = {0, 0, 1}});
+        for (const char* key : {"poise_result", "command", "options"})
+          weight["greatest_hold"].erase(key);
+      },
+      "drives with a max do nothing");
+  refuted(
+      "less friction",
+      [](Json& forged) {
+        Json& rate = forged["friction"]["rates"][0];
+        rate = 0.99 * rate.template get<double>();
+      },
+      "with less friction the weight cannot be held");
+  refuted(
+      "a smaller grip", [](Json& forged) { forged["command"]["grip"] = 20; },
+      "grip is the greatest effort of a drive");
+  refuted(
+      "another objective",
+      [&](Json& forged) {
+        Json hold = result_of(file, {.command = Command::hold, .up = {0, 0, 1}});
+        for (const char* key : {"poise_result", "command", "options"}) hold.erase(key);
+        forged["command"] = hold;
+      },
+      "the command is the least grip");
 }
 
 // A million times the friction is said not to be enough, though the stop, which presses with less

@@ -21,7 +21,7 @@ dimension: 2
 name: "disk \u00e9\/\U0001F600"
 safety: 1.25
 angle_deg: -270
-domain: pinched
+domain: pinching-up
 length_unit: cm
 object:
   mass: 2
@@ -40,7 +40,7 @@ contacts:
 
 const std::string json = R"({
   "poise": 1, "dimension": 2, "name": "disk \u00e9\/\ud83d\ude00", "safety": 1.25,
-	"angle_deg": -270, "domain": "pinched", "length_unit": "cm",
+	"angle_deg": -270, "domain": "pinching-up", "length_unit": "cm",
   "object": {"mass": 2, "com": [1, -2], "shape": {"disk": {"radius": 1E+2}}},
   "contacts": [
     {"position": [100, 0], "friction": 0.5, "finger": "left"},
@@ -100,7 +100,7 @@ TEST(GraspFile, SaysWhatItSays) {
   EXPECT_EQ(file.name, "disk \u00e9/\U0001F600");
   EXPECT_EQ(file.safety, 1.25);
   EXPECT_DOUBLE_EQ(file.angle.value(), pi / 2);
-  EXPECT_EQ(file.domain, Domain::pinched);
+  EXPECT_EQ(file.domain, Domain::pinching_up);
   EXPECT_DOUBLE_EQ(file.loads[0].weight, 2 * 9.80665);
   EXPECT_TRUE(file.loads[0].com.isApprox(Vector<2>(0.01, -0.02)));
   EXPECT_DOUBLE_EQ(std::get<Disk>(file.shape.value()).radius, 1);

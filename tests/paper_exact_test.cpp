@@ -157,7 +157,7 @@ TEST(PaperExact, CaseListIsTheGeneralSolver) {
   std::array<int, 3> cases{};
   for (int k = 0; k < 100000; ++k) {
     const HeldDisk disk = random.any();
-    const Best<2> best = best_posture(grasp_of(disk), {.domain = Domain::pinched});
+    const Best<2> best = best_posture(grasp_of(disk), {.domain = Domain::pinching_up});
     std::vector<Optimum> found;
     for (const poise::Minimum<2>& posture : best.minima) found.push_back(posture.optimum);
     std::sort(found.begin(), found.end(),
@@ -181,7 +181,7 @@ TEST(PaperExact, CaseListIsTheGeneralSolver) {
                                     disk.d2() > 0 ? std::abs(left.slope(at)) : 0);
       const double off = std::abs(found[i].angle - at);
       ASSERT_LT(off, 1e-8);
-      ASSERT_NEAR(found[i].effort, expected[i].V, 1e-9 * expected[i].V + (2 * off + 1e-12) * steep);
+      ASSERT_NEAR(found[i].value, expected[i].V, 1e-9 * expected[i].V + (2 * off + 1e-12) * steep);
       ASSERT_EQ(found[i].kind, expected[i].kind);
     }
   }
@@ -206,13 +206,13 @@ TEST(PaperTheorem, EveryKinkWithBothSlippingIsWhereEdgesMeet) {
     const std::vector<BothSlip> meetings = both_slip(grasp);
     for (const poise::Minimum<2>& minimum : best_posture(grasp).minima) {
       if (minimum.optimum.kind != Kind::kink || !minimum.two_slipping) continue;
-      if (minimum.optimum.effort > 1e6) continue;  // nearly parallel edges
+      if (minimum.optimum.value > 1e6) continue;  // nearly parallel edges
       ++kinks;
       double nearest = 1;
       for (const BothSlip& meeting : meetings)
         nearest = std::min(nearest,
                            std::abs(std::remainder(meeting.theta - minimum.optimum.angle, 2 * pi)) +
-                               std::abs(meeting.effort / minimum.optimum.effort - 1));
+                               std::abs(meeting.effort / minimum.optimum.value - 1));
       EXPECT_LT(nearest, 1e-6);
     }
   }

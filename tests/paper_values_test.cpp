@@ -27,17 +27,17 @@ TEST(Paper, TableOfOptimaIsReproduced) {
     EXPECT_NEAR(study::theta_b(disk), theta_b, 1e-12);
     EXPECT_NEAR(alpha_bar(disk, theta_b), row.alpha_b, 5e-5);
 
-    const Best<2> best = best_posture(grasp_of(disk), {.domain = Domain::pinched});
+    const Best<2> best = best_posture(grasp_of(disk), {.domain = Domain::pinching_up});
     ASSERT_EQ(best.minima.size(), 3U);
     for (const double at : {-end, end}) {  // a and c
       const Optimum* optimum = minimum_at(best.proof.curve, at);
       ASSERT_TRUE(optimum);
-      EXPECT_NEAR(optimum->effort, 100, 1e-7);
+      EXPECT_NEAR(optimum->value, 100, 1e-7);
       EXPECT_EQ(optimum->kind, Kind::boundary);
     }
     const Optimum* b = minimum_at(best.proof.curve, theta_b);
     ASSERT_TRUE(b);
-    EXPECT_NEAR(b->effort, row.V_b, row.rounding + 1e-9 * row.V_b);
+    EXPECT_NEAR(b->value, row.V_b, row.rounding + 1e-9 * row.V_b);
     EXPECT_EQ(b->kind, Kind::kink);
 
     ASSERT_TRUE(best.best_pinched());
@@ -51,20 +51,20 @@ TEST(Paper, TableOfOptimaIsReproduced) {
 }
 
 TEST(Paper, OrderOfEqualMinimaIsPositiveFirst) {
-  const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinched});
+  const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinching_up});
   EXPECT_NEAR(best.best().optimum.angle, 105 * pi / 180, 1e-12);
   EXPECT_NEAR(best.minima[1].optimum.angle, -105 * pi / 180, 1e-12);
 }
 
 TEST(Paper, EndsOfTheRangeRestOnOneFinger) {
-  const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinched});
+  const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinching_up});
   EXPECT_EQ(best.best().manner, Manner::resting);
   EXPECT_FALSE(all_loaded(grasp_of(paper_table[5].disk), best.best().hold(), grasp_of(paper_table[5].disk).weight()));
 }
 
 TEST(Paper, ConeEdgesMeetOnTheVerticalThroughTheComAtB) {
   for (const PaperRow& row : paper_table) {
-    const Best<2> best = best_posture(grasp_of(row.disk), {.domain = Domain::pinched});
+    const Best<2> best = best_posture(grasp_of(row.disk), {.domain = Domain::pinching_up});
     ASSERT_TRUE(best.best_pinched() && best.best_pinched()->edges_meet);
     const Vector<2> point = *best.best_pinched()->edges_meet;
     EXPECT_NEAR(std::atan2(point.x(), point.y()), row.theta_b_deg * pi / 180, 1e-8);
@@ -79,12 +79,12 @@ TEST(Paper, ConeEdgesMeetOnTheVerticalThroughTheComAtB) {
 // Finding 3.
 TEST(Paper, Figure4cIsHeldAtTwoPosturesOnly) {
   const Grasp<2> grasp = grasp_of({.phi = pi / 4, .mu1 = 1, .mu2 = 1});
-  const Best<2> best = best_posture(grasp, {.domain = Domain::pinched});
+  const Best<2> best = best_posture(grasp, {.domain = Domain::pinching_up});
   ASSERT_EQ(best.minima.size(), 2U);
   EXPECT_NEAR(best.minima[0].optimum.angle, 0.75 * pi, 1e-12);
   EXPECT_NEAR(best.minima[1].optimum.angle, -0.75 * pi, 1e-12);
   for (const Minimum<2>& minimum : best.minima) {
-    EXPECT_NEAR(minimum.optimum.effort, 100, 1e-9);
+    EXPECT_NEAR(minimum.optimum.value, 100, 1e-9);
     EXPECT_EQ(minimum.optimum.kind, Kind::boundary);
     EXPECT_EQ(minimum.manner, Manner::resting);
   }
@@ -98,12 +98,12 @@ TEST(Paper, Figure4cIsHeldAtTwoPosturesOnly) {
 TEST(Paper, Figure6IsHeldWithLessInTheForkOfTheFingers) {
   const Best<2> best = best_posture(grasp_of(paper_table[5].disk));
   EXPECT_NEAR(best.best().optimum.angle, 165 * pi / 180, 1e-12);
-  EXPECT_NEAR(best.best().optimum.effort, 80.3848, 5e-5);
+  EXPECT_NEAR(best.best().optimum.value, 80.3848, 5e-5);
   EXPECT_EQ(best.best().manner, Manner::cradled);
   EXPECT_NE(best.best().optimum.kind, Kind::boundary);
   ASSERT_TRUE(best.best_pinched());
   EXPECT_NEAR(best.best_pinched()->optimum.angle, pi / 6, 1e-12);
-  EXPECT_NEAR(best.best_pinched()->optimum.effort, 300, 1e-9);
+  EXPECT_NEAR(best.best_pinched()->optimum.value, 300, 1e-9);
 }
 
 /// Friction above the limit cot phi by a factor of ten thousand up to ten.
@@ -117,7 +117,7 @@ HeldDisk random_disk() {
 
 RC_GTEST_PROP(Paper, CurveOfThePinchingRangeIsTheClosedForm, ()) {
   const HeldDisk disk = random_disk();
-  const PostureCurve curve = posture_curve(grasp_of(disk), {.domain = Domain::pinched});
+  const PostureCurve curve = posture_curve(grasp_of(disk), {.domain = Domain::pinching_up});
   RC_ASSERT(std::abs(curve.domain.to - (pi - disk.phi)) < 1e-12);
   for (int i = 0; i < 5; ++i) {
     const double theta = (pi - disk.phi) * 0.999 * coordinate();
@@ -125,7 +125,7 @@ RC_GTEST_PROP(Paper, CurveOfThePinchingRangeIsTheClosedForm, ()) {
     const auto arc = std::find_if(curve.arcs.begin(), curve.arcs.end(),
                                   [&](const Arc& a) { return a.from <= theta && theta <= a.to; });
     RC_ASSERT(arc != curve.arcs.end());
-    RC_ASSERT(close(arc->V(theta), V(disk, theta), 1e-9L, rounding(*arc)));
+    RC_ASSERT(close(arc->value(theta), V(disk, theta), 1e-9L, rounding(*arc)));
   }
 }
 
@@ -135,7 +135,7 @@ RC_GTEST_PROP(Paper, BIsAMinimumWhereTheSlopesDifferInSign, ()) {
   const double b = theta_b(disk), step = 1e-6;
   RC_ASSERT(std::abs(alphas(disk, b)[4] - alphas(disk, b)[5]) <=
             1e-9 * (alpha_bar(disk, b) + disk.weight));
-  const PostureCurve curve = posture_curve(grasp_of(disk), {.domain = Domain::pinched});
+  const PostureCurve curve = posture_curve(grasp_of(disk), {.domain = Domain::pinching_up});
   const double before = V(disk, b) - V(disk, b - step), after = V(disk, b + step) - V(disk, b);
   if (std::abs(before) < 1e-3 * step * V(disk, b) || std::abs(after) < 1e-3 * step * V(disk, b))
     return;  // flat: the optimum may be smooth, nearby
@@ -143,7 +143,7 @@ RC_GTEST_PROP(Paper, BIsAMinimumWhereTheSlopesDifferInSign, ()) {
   RC_ASSERT((optimum != nullptr) == (before < 0 && after > 0));
   if (!optimum) return;
   RC_ASSERT(optimum->kind == Kind::kink);
-  RC_ASSERT(close(optimum->effort, V(disk, b), 1e-9L, rounding(curve, b)));
+  RC_ASSERT(close(optimum->value, V(disk, b), 1e-9L, rounding(curve, b)));
 }
 
 }  // namespace

@@ -38,17 +38,17 @@ TEST(CradledWedge, OfADiskIsBetweenItsFingers) {
   const double phi = 5 * pi / 12;
   const Grasp<2> grasp =
       at_points({0, 0}, {{std::sin(phi), std::cos(phi)}, {-std::sin(phi), std::cos(phi)}});
-  const Interval wedge = cradled_wedge(grasp, grasp.center());
+  const Interval wedge = fork_wedge(grasp, grasp.center());
   EXPECT_NEAR(wedge.from, pi - phi, 1e-14);
   EXPECT_NEAR(wedge.to, pi + phi, 1e-14);
-  const Interval rest = domain_interval(grasp, Domain::pinched);
+  const Interval rest = domain_interval(grasp, Domain::pinching_up);
   EXPECT_NEAR(rest.from, -(pi - phi), 1e-14);
   EXPECT_NEAR(rest.to, pi - phi, 1e-14);
 }
 
 TEST(CradledWedge, IsAboveTheContactsWhereTheComIs) {
   const Grasp<2> grasp = at_points({0, 1}, {{1, 0}, {0, -3}, {-1, 0}});
-  const Interval wedge = cradled_wedge(grasp, grasp.center());
+  const Interval wedge = fork_wedge(grasp, grasp.center());
   EXPECT_NEAR(wedge.from, -pi / 4, 1e-14);
   EXPECT_NEAR(wedge.to, pi / 4, 1e-14);
 }
@@ -66,9 +66,9 @@ TEST(CradledWedge, IsEmptyWhereNothingIsCradled) {
       at_points({0, 0}, {{1, 0}, {-1, 0}, {0, 1}, {0, 0}}),  // at its corner
   };
   for (const Grasp<2>& grasp : without) {
-    const Interval wedge = cradled_wedge(grasp, grasp.center());
+    const Interval wedge = fork_wedge(grasp, grasp.center());
     EXPECT_EQ(wedge.from, wedge.to);
-    const Interval all = domain_interval(grasp, Domain::pinched);
+    const Interval all = domain_interval(grasp, Domain::pinching_up);
     EXPECT_EQ(all.from, -pi);
     EXPECT_EQ(all.to, pi);
   }
@@ -76,7 +76,7 @@ TEST(CradledWedge, IsEmptyWhereNothingIsCradled) {
 
 TEST(CradledWedge, IsNearlyHalfTheCircleJustOutsideOfTheHull) {
   const Grasp<2> grasp = at_points({0, 0}, {{1, -1e-8}, {-1, -1e-8}, {0, -1}});
-  const Interval wedge = cradled_wedge(grasp, grasp.center());
+  const Interval wedge = fork_wedge(grasp, grasp.center());
   EXPECT_NEAR(wedge.from, -pi / 2, 1e-7);
   EXPECT_NEAR(wedge.to, pi / 2, 1e-7);
   EXPECT_LT(wedge.to - wedge.from, pi);
@@ -109,7 +109,7 @@ RC_GTEST_PROP(CradledWedge, IsWhereTheHullIsStraightBelowTheComOutside, ()) {
   for (const Vector<2>& a : arms)
     for (const Vector<2>& b : arms)
       if (&a != &b && std::abs(cross(a, b)) < 1e-6) return;  // on one line with the com
-  const Interval wedge = cradled_wedge(grasp, grasp.center());
+  const Interval wedge = fork_wedge(grasp, grasp.center());
   RC_ASSERT(wedge.from >= -pi && wedge.from < pi);
   RC_ASSERT(wedge.from <= wedge.to && wedge.to - wedge.from < pi);
   for (int i = 0; i < 10; ++i) {
@@ -129,7 +129,8 @@ RC_GTEST_PROP(CradledWedge, IsWhereTheHullIsStraightBelowTheComOutside, ()) {
 
 RC_GTEST_PROP(CradledWedge, AndThePinchedDomainAreTheWholeCircle, ()) {
   const Grasp<2> grasp = (*grasps()).grasp();
-  const Interval wedge = cradled_wedge(grasp, grasp.center()), rest = domain_interval(grasp, Domain::pinched);
+  const Interval wedge = fork_wedge(grasp, grasp.center()),
+                 rest = domain_interval(grasp, Domain::pinching_up);
   RC_ASSERT(rest.from >= -pi && rest.from < pi && rest.to <= rest.from + 2 * pi);
   RC_ASSERT(std::abs(rest.to - rest.from + wedge.to - wedge.from - 2 * pi) < 1e-14);
   if (wedge.to > wedge.from)

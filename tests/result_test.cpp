@@ -16,10 +16,9 @@ using Keys = std::set<std::string>;
 
 const Keys unholdable_keys{"holdable",  "up",          "angle_deg", "dual",
                            "objective", "lower_bound", "reason"};
-const Keys hold_keys{"objective",  "grip",       "drives",
-                     "holdable",   "up",         "angle_deg", "dual",   "lower_bound",
-                     "effort",     "force_norm", "residual",  "manner", "all_loaded",
-                     "grip_force", "fingers",    "contacts"};
+const Keys hold_keys{"objective", "grip",   "drives",      "holdable", "up",
+                     "angle_deg", "dual",   "lower_bound", "effort",   "force_norm",
+                     "residual",  "manner", "all_loaded",  "fingers",  "contacts"};
 const Keys document_keys{"poise_result", "command", "options"};
 
 Keys with(Keys keys, const Keys& more) {
@@ -61,7 +60,7 @@ void check_hold(const Json& hold, std::size_t contacts, std::size_t fingers) {
     EXPECT_TRUE(hold["reason"].is_string());
     return;
   }
-  for (const char* key : {"effort", "force_norm", "residual", "grip_force"})
+  for (const char* key : {"effort", "force_norm", "residual"})
     EXPECT_TRUE(hold[key].is_number_float()) << key;
   EXPECT_TRUE(hold["all_loaded"].is_boolean());
   EXPECT_TRUE((std::set<std::string>{"resting", "cradled", "pinched"}.count(hold["manner"])));
@@ -167,12 +166,15 @@ TEST(ResultDocument, OfTheBestPostureHasThePromisedKeys) {
       "relative_gap", "worst", "arcs",         "unholdable_arcs", "holdable_arcs_deg"};
   for (const Grasp<2>& grasp : {disk(5 * pi / 12, 1, 1 / std::sqrt(3.0)), limited_disk()}) {
     const std::size_t contacts = grasp.contacts().size(), fingers = grasp.fingers().size();
-    for (const Domain domain : {Domain::all, Domain::pinched}) {
+    for (const Domain domain : {Domain::all, Domain::pinching_up}) {
       const CurveSettings settings{.domain = domain};
       const Json document = parsed(best_text(grasp, settings));
       EXPECT_EQ(keys(document), with(document_keys, best_keys));
       EXPECT_EQ(document["options"],
-                (Json{{"domain", domain == Domain::all ? "all" : "pinched"}, {"force_cap", 1e6}}));
+                (Json{{"domain", domain == Domain::all ? "all" : "pinching-up"},
+                      {"present_deg", 0.0},
+                      {"force_cap", 1e6},
+                      {"objective", "effort"}}));
       EXPECT_EQ(document["status"], "optimal");
       EXPECT_EQ(document["best"], document["minima"][0]);
       EXPECT_LT(std::abs(document["relative_gap"].get<double>()), 1e-9);
@@ -252,7 +254,7 @@ TEST(ResultDocument, OfACheckSaysWhatWasUnderstood) {
       parsed(poise::document(file, grasp, CheckAnswer<2>{force_closure(grasp), {}}));
   EXPECT_EQ(keys(document), with(document_keys, {"name", "dimension", "safety", "angle_deg",
                                                  "domain", "weight", "com", "shape", "contacts",
-                                                 "force_closure", "cradled_deg", "warnings"}));
+                                                 "force_closure", "fork_deg", "warnings"}));
   EXPECT_EQ(document["weight"], standard_gravity);
   EXPECT_TRUE(document["angle_deg"].is_null());
   EXPECT_EQ(document["contacts"][0]["friction"], 2.0);

@@ -1,6 +1,7 @@
 // Holds in space against closed forms and the plane, and the laws that they obey.
 #include <gtest/gtest.h>
 
+#include "poise/grip.hpp"
 #include "random_space_grasps.hpp"
 #include "space_checks.hpp"
 
@@ -172,7 +173,7 @@ TEST(SpaceHold, OfASqueezedBoxIsKnown) {
   EXPECT_NEAR(found.effort, 2 * (100 + 25), 1e-9);
   EXPECT_NEAR((found.forces[0].tangential - 5 * up).norm(), 0, 1e-9);
   EXPECT_EQ(found.forces[0].state, ContactState::slipping);
-  EXPECT_NEAR(grip_force(grasp, found), 10, 1e-9);
+  EXPECT_NEAR(grip(grasp, found), 10, 1e-9);
   EXPECT_EQ(manner(grasp, grasp.loads().front(), up, found), Manner::pinched);
 }
 
@@ -304,23 +305,21 @@ TEST(SpaceHold, SaysWhichLimitAContactIsAt) {
   EXPECT_EQ(found.forces[0].limit, ForceLimit::min);
 }
 
-TEST(SpaceHold, InTheForkOfTheFingersIsCradled) {
+TEST(SpaceHold, WithoutFrictionIsCradledWithItPinchedByOneFingerResting) {
   Held held{{1, {0, 0, 1}}, {}};
   for (int k = 0; k < 3; ++k) {
     const double at = 2 * pi * k / 3;
     held.contacts.push_back(contact({std::cos(at), std::sin(at), 0}, {0, 0, 1}, 0.5));
   }
-  const Grasp<3> tray = held.grasp();
-  EXPECT_TRUE(cradled(tray, tray.center(), {0, 0, 1}));
-  EXPECT_FALSE(cradled(tray, tray.center(), {0, 0, -1}));
-  EXPECT_TRUE(cradled(tray, tray.center(),
-                      Vector<3>(-0.49, 0, 1).normalized()));  // inside of the edge at -1/2
-  EXPECT_FALSE(cradled(tray, tray.center(), Vector<3>(0.51, 0, 1).normalized()));
-  EXPECT_EQ(manner(tray, tray.loads().front(), {0, 0, 1}, hold(tray, Vector<3>(0, 0, 1))),
-            Manner::cradled);
-  held.object.com = {0, 0, 0};
-  EXPECT_FALSE(cradled(held.grasp(), held.grasp().center(), {0, 0, 1}));
-  EXPECT_FALSE(cradled(squeezed(0.5).grasp(), squeezed(0.5).grasp().center(), {0, 0, 1}));
+  const auto manner_of = [](const Held& each, const Vector<3>& up) {
+    return posture_at(each.grasp(), up.normalized()).manner;
+  };
+  EXPECT_EQ(manner_of(held, {0, 0, 1}), Manner::cradled);
+  // Level contacts give nothing sideways without friction.
+  EXPECT_EQ(manner_of(held, {-0.3, 0, 1}), Manner::pinched);
+  EXPECT_EQ(manner_of(squeezed(0.5), {0, 0, 1}), Manner::pinched);
+  held.object.com = {1, 0, 1};  // above the first contact
+  EXPECT_EQ(manner_of(held, {0, 0, 1}), Manner::resting);
 }
 
 TEST(SpaceHold, ForceClosureNeedsThreePointsOrSoftFingers) {

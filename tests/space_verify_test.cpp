@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "files/grasp_writer.hpp"
+#include "poise/grip.hpp"
 #include "random_space_grasps.hpp"
 #include "verify/verify.hpp"
 
@@ -34,8 +35,10 @@ SpatialFile random_file(bool least_forces) {
 /// Confirmed as values and as a document alike.
 void expect_confirmed(const SpatialFile& file, const auto& answer) {
   const Grasp<3> grasp = file.grasp();
+  const std::string told = document(grasp, answer);
+  RC_LOG() << told << document(file, grasp, CheckAnswer<3>{});
   RC_ASSERT(verify::refutations_text(verify::verify(grasp, answer)) == "");
-  const Document text = parse_json(document(grasp, answer), "result.json", max_result);
+  const Document text = parse_json(told, "result.json", max_result);
   RC_ASSERT(verify::refutations_text(verify::verify(file, text)) == "");
 }
 
@@ -57,6 +60,53 @@ RC_GTEST_PROP(SpaceVerified, BestsOfAnyGraspAre, ()) {
   BestAnswer<3> answer{settings, best_posture(file.grasp(), settings)};
   answer.orientation = lying;
   expect_confirmed(file, answer);
+}
+
+/// Some contacts are pads, and fingers are driven each by itself or together, now and then weakly.
+SpatialFile random_driven_file() {
+  SpatialFile file = random_file(false);
+  if (file.contacts.size() > 4) file.contacts.resize(4);
+  for (Contact<3>& contact : file.contacts) {
+    if (one_in(2)) continue;
+    contact.torsion = 0;
+    contact.share = 1;
+    const Vector<2> size(real(0.05, 0.5), real(0.05, 0.5));
+    contact.pad = rectangular_pad(size, tangents(contact.normal.normalized()).col(0),
+                                  contact.normal.normalized(), pick(1, 3));
+    if (one_in(4)) contact.pad->reach.setZero();
+  }
+  if (one_in(2)) file.mechanism.kind = DriveKind::coupled;
+  if (!one_in(3)) return file;
+  const double most = file.loads.front().weight * real(0.3, 5);
+  const auto fingers = Grasp<3>(file.loads, file.contacts).fingers();
+  for (const std::string& name : fingers)
+    file.mechanism.fingers.push_back({.name = name, .max_force = most});
+  return file;
+}
+
+RC_GTEST_PROP(SpaceVerified, HoldsByPadsAndDrivesAre, ()) {
+  const SpatialFile file = *rc::gen::exec(random_driven_file);
+  if (!has_grip<3>(file.grasp())) return;
+  const Vector<3> up = *rc::gen::exec(random_direction);
+  const Objective objective = one_in(2) ? Objective::grip : Objective::effort;
+  HoldAnswer<3> answer{.option = {.up = {up.x(), up.y(), up.z()}}};
+  answer.settings.objective = objective;
+  answer.posture = posture_at(file.grasp(), up, answer.settings);
+  const Hold<3>& hold = answer.posture.hold();
+  if (!hold.holdable && !hold.proven) return;
+  expect_confirmed(file, answer);
+}
+
+RC_GTEST_PROP(SpaceVerified, BestsByPadsAndDrivesAre, ()) {
+  if (!one_in(10)) return;
+  const SpatialFile file = *rc::gen::exec(random_driven_file);
+  if (!has_grip<3>(file.grasp())) return;
+  SpatialSettings settings;
+  settings.objective = one_in(2) ? Objective::grip : Objective::effort;
+  settings.max_holds = 60;
+  settings.starts = 0;
+  settings.tilt = file.tilt;
+  expect_confirmed(file, BestAnswer<3>{settings, best_posture(file.grasp(), settings)});
 }
 
 /// Jaws, or a few contacts, with the com next to their line or to one of them: there y grows as

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "poise/grip.hpp"
 #include "poise/turn.hpp"
 #include "random_grasps.hpp"
 
@@ -25,6 +26,15 @@ PlanarFile file_of(const Held& held) {
 
 verify::Verdict checked(const GraspFile& file, const std::string& text) {
   return verify::verify(file, parse_json(text, "result.json", max_result));
+}
+
+/// Whether a document is neither refused nor refuted.
+bool is_confirmed(const GraspFile& file, const std::string& text) {
+  try {
+    return checked(file, text).confirmed();
+  } catch (const FileError&) {
+    return false;
+  }
 }
 
 /// What is refuted of a document.
@@ -48,6 +58,12 @@ CurveAnswer curve_answer(const PlanarFile& file, const CurveSettings& settings =
   return answer;
 }
 
+/// Of what the program asks of a file.
+CurveSettings settings_for(const PlanarFile& file, Domain domain,
+                           Objective objective = Objective::effort) {
+  return {.domain = domain, .objective = objective, .present = file.angle.value_or(0)};
+}
+
 std::string hold_text(const PlanarFile& file, double theta, double cap = 1e6) {
   return document(file.grasp(), hold_answer(file, theta, cap));
 }
@@ -66,7 +82,15 @@ void expect_confirmed(const PlanarFile& file, const Answer& answer) {
   RC_ASSERT(words(file, document(grasp, answer)) == "");
 }
 
-CurveSettings any_domain() { return {*rc::gen::element(Domain::all, Domain::pinched)}; }
+Domain any_domain() { return *rc::gen::element(Domain::all, Domain::pinching_up); }
+
+/// Now and then with a posture to turn from.
+PlanarFile any_file_of(const Held& held) {
+  PlanarFile file = file_of(held);
+  if (*rc::gen::inRange(0, 2) == 1)
+    file.angle = std::max(*rc::gen::exec(test::random_angle), -3.0);  // in (-pi, pi]
+  return file;
+}
 
 RC_GTEST_PROP(Verify, ConfirmsHolds, ()) {
   const Held held = *test::grasps();
@@ -76,12 +100,41 @@ RC_GTEST_PROP(Verify, ConfirmsHolds, ()) {
 
 RC_GTEST_PROP(Verify, ConfirmsCurves, ()) {
   const Held held = *test::grasps({.most_contacts = 5, .awkward = false});
-  expect_confirmed(file_of(held), curve_answer(file_of(held), any_domain()));
+  const PlanarFile file = any_file_of(held);
+  expect_confirmed(file, curve_answer(file, settings_for(file, any_domain())));
 }
 
 RC_GTEST_PROP(Verify, ConfirmsTheBest, ()) {
   const Held held = *test::grasps({.most_contacts = 5, .awkward = false});
-  expect_confirmed(file_of(held), best_answer(file_of(held), any_domain()));
+  const PlanarFile file = any_file_of(held);
+  expect_confirmed(file, best_answer(file, settings_for(file, any_domain())));
+}
+
+/// Fingers with drives of their own, coupled ones, and now and then weak ones.
+PlanarFile random_driven_file() {
+  const Held held = *test::grasps({.most_contacts = 5, .awkward = false});
+  PlanarFile file = any_file_of(held);
+  if (*rc::gen::inRange(0, 3) == 0) file.mechanism.kind = DriveKind::coupled;
+  if (*rc::gen::inRange(0, 3) != 0) return file;
+  const bool same = *rc::gen::element(false, true);
+  const double most = held.object.weight * *rc::gen::inRange(2, 30) / 10;
+  const auto fingers = Grasp<2>(held.object, held.contacts).fingers();
+  for (std::size_t k = 0; k < fingers.size(); ++k)
+    file.mechanism.fingers.push_back(
+        {.name = fingers[k], .max_force = most * (same ? 1 : 1 + static_cast<double>(k))});
+  return file;
+}
+
+RC_GTEST_PROP(Verify, ConfirmsTheBestGrip, ()) {
+  const PlanarFile file = random_driven_file();
+  if (!has_grip<2>(file.grasp())) return;
+  expect_confirmed(file, best_answer(file, settings_for(file, any_domain(), Objective::grip)));
+}
+
+RC_GTEST_PROP(Verify, ConfirmsCurvesOfTheGrip, ()) {
+  const PlanarFile file = random_driven_file();
+  if (!has_grip<2>(file.grasp())) return;
+  expect_confirmed(file, curve_answer(file, settings_for(file, any_domain(), Objective::grip)));
 }
 
 RC_GTEST_PROP(Verify, ConfirmsTheNearlyUnholdable, ()) {
@@ -95,7 +148,8 @@ TEST(Verify, RefutesFewOfTheAwkward) {
   int tried = 0, refuted = 0;
   rc::check([&] {
     const Held held = *test::grasps({.most_contacts = 5});
-    const verify::Verdict verdict = checked(file_of(held), best_text(file_of(held), any_domain()));
+    const CurveSettings settings = settings_for(file_of(held), any_domain());
+    const verify::Verdict verdict = checked(file_of(held), best_text(file_of(held), settings));
     ++tried;
     if (verdict.confirmed()) return;
     ++refuted;
@@ -181,9 +235,49 @@ TEST(Verify, RefusesEveryNumberThatIsOff) {
     SCOPED_TRACE(name);
     const PlanarFile file = example(name);
     expect_spoilt_refused(file, hold_text(file, file.angle.value_or(0.3)), file.loads[0].weight);
-    expect_spoilt_refused(file, curve_text(file), file.loads[0].weight);
-    expect_spoilt_refused(file, best_text(file), file.loads[0].weight);
-    expect_spoilt_refused(file, best_text(file, {Domain::pinched}), file.loads[0].weight);
+    for (const Objective objective : {Objective::effort, Objective::grip}) {
+      SCOPED_TRACE(to_string(objective));
+      const CurveSettings all = settings_for(file, Domain::all, objective);
+      expect_spoilt_refused(file, curve_text(file, all), file.loads[0].weight);
+      expect_spoilt_refused(file, best_text(file, all), file.loads[0].weight);
+    }
+    const CurveSettings pinched = settings_for(file, Domain::pinching_up);
+    expect_spoilt_refused(file, best_text(file, pinched), file.loads[0].weight);
+  }
+}
+
+/// What an arc of grip claims, changed as a whole: its forces, its proof, or where it ends.
+TEST(Verify, RefusesArcsOfGripThatAreNot) {
+  const PlanarFile file = example("l-part");
+  const Json best = Json::parse(best_text(file, settings_for(file, Domain::all, Objective::grip)));
+  ASSERT_EQ(words(file, best.dump()), "");
+  ASSERT_GE(best["arcs"].size(), 3U);
+  const double weight = file.loads[0].weight;
+  const auto refuted = [&](const char* what, std::size_t k, const auto& change) {
+    Json copy = best;
+    change(copy["arcs"][k], copy["arcs"][(k + 1) % copy["arcs"].size()]);
+    EXPECT_FALSE(is_confirmed(file, copy.dump())) << what << " " << k;
+  };
+  for (std::size_t k = 0; k < best["arcs"].size(); ++k) {
+    refuted("F raised", k, [&](Json& arc, Json&) {
+      arc["F"]["c0"] = arc["F"]["c0"].get<double>() + 1e-5 * weight;
+    });
+    refuted("forces dropped", k, [](Json& arc, Json&) { arc["forces"].erase(0); });
+    refuted("no rates", k, [](Json& arc, Json&) { arc["rates"] = Json::array(); });
+    refuted("rates that say less", k, [](Json& arc, Json&) {
+      for (Json& rate : arc["rates"]) rate = 0.9 * rate.get<double>();
+    });
+    refuted("rates below 0", k, [](Json& arc, Json&) {
+      arc["rates"][0] = arc["rates"][0].get<double>() + 1;
+      arc["rates"][1] = arc["rates"][1].get<double>() - 1;
+    });
+    refuted("y of another", k, [](Json& arc, Json& other) { arc["y"] = other["y"]; });
+    refuted("forces that do not balance", k, [](Json& arc, Json&) {
+      Json& number = arc["forces"][0]["normal"]["cos1"];
+      number = number.get<double>() + 1e-6;
+    });
+    refuted("wider", k, [](Json& arc, Json&) { arc["to_deg"] = arc["to_deg"].get<double>() + 1; });
+    refuted("V in place of F", k, [](Json& arc, Json&) { arc.erase("F"); });
   }
 }
 

@@ -43,7 +43,7 @@ TEST(GraspWriter, WritesWhatItReads) {
 
 TEST(GraspWriter, WritesEveryKey) {
   const std::string text = R"({"poise": 1, "dimension": 2, "name": "\u003c\"ä", "safety": 1.25,
-    "angle_deg": -170, "domain": "pinched",
+    "angle_deg": -170, "domain": "pinching-up",
     "object": {"weight": 3, "com": [0.1, 0], "shape": {"ellipse": {"radii": [1, 0.5]}}},
     "contacts": [{"position": [1, 0], "normal": [-1, 0.25], "friction": 0.3, "min_normal": 0.5,
                   "max_normal": 7, "share": 0.5, "finger": "f"},

@@ -1,5 +1,6 @@
 #include "apps/paper/counts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -20,6 +21,13 @@ class Random {
  private:
   std::mt19937_64 bits_;
 };
+
+/// The paper's way to pinch: all fingers press, and the com is not in their fork.
+bool pinches_up(const Grasp<2>& grasp, const poise::Minimum<2>& posture) {
+  const Interval fork = fork_wedge(grasp, grasp.loads().front().com);
+  const double from_start = std::remainder(posture.optimum.angle - fork.from - pi, 2 * pi) + pi;
+  return from_start >= fork.to - fork.from && all_loaded<2>(grasp, posture.hold(), grasp.weight());
+}
 
 }  // namespace
 
@@ -51,14 +59,14 @@ EllipseCounts count_ellipses(std::size_t ellipses, double off_centre, std::uint6
     };
     const double first = uniform(-pi, pi), second = uniform(-pi, pi);
     const double x = uniform(-off_centre, off_centre), y = uniform(-off_centre, off_centre);
-    const Best<2> best =
-        best_posture(Grasp<2>({1, {x, flat * y}}, {contact(first), contact(second)}));
+    const Grasp<2> grasp({1, {x, flat * y}}, {contact(first), contact(second)});
+    const Best<2> best = best_posture(grasp);
     if (!best.holdable()) {
       ++counts.unholdable;
       continue;
     }
     const poise::Minimum<2>& lowest = best.best();
-    if (lowest.manner == Manner::resting) {
+    if (!all_loaded<2>(grasp, lowest.hold(), grasp.weight())) {
       ++counts.resting;
     } else if (lowest.optimum.kind == Kind::smooth) {
       ++counts.smooth;
@@ -66,9 +74,13 @@ EllipseCounts count_ellipses(std::size_t ellipses, double off_centre, std::uint6
       ++counts.end;
     } else {
       ++counts.kink;
-      if (lowest.manner == Manner::pinched) ++counts.kink_pinched;
+      if (pinches_up(grasp, lowest)) ++counts.kink_pinched;
     }
-    if (const poise::Minimum<2>* pinched = best.best_pinched()) {
+    const auto pinched =
+        std::find_if(best.minima.begin(), best.minima.end(), [&](const poise::Minimum<2>& minimum) {
+          return minimum.optimum.kind != Kind::boundary && pinches_up(grasp, minimum);
+        });
+    if (pinched != best.minima.end()) {
       ++counts.pinched;
       if (pinched->edges_meet) ++counts.pinched_where_edges_meet;
     }

@@ -24,7 +24,8 @@ struct EllipseCounts {
   std::size_t end{0};           ///< both slip where the holdable postures end
   std::size_t resting{0};       ///< one finger carries all
   std::size_t smooth{0};        ///< both carry, and V has a smooth minimum
-  /// Ellipses with a best pinched posture, and those where the edges meet there.
+  /// Ellipses with a best posture in which they are pinched up, and those where the edges meet
+  /// there.
   std::size_t pinched{0}, pinched_where_edges_meet{0};
 };
 EllipseCounts count_ellipses(std::size_t ellipses, double off_centre, std::uint64_t seed);

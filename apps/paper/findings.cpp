@@ -137,7 +137,7 @@ void write_whether_b_is_best(Page& page, const PaperDisks& disks) {
     const Best<2> best = best_posture(grasp_of(named.disk));
     page.line("| {} | {} | {} | {:.4f} | {:.4f} | {} |", named.name,
               degrees_text(best.best().optimum.angle), to_string(best.best().manner),
-              best.best().optimum.effort, in_range.front().V,
+              best.best().optimum.value, in_range.front().V,
               in_range.size() == 3 ? fixed(in_range[1].V, 4) : "–");
   }
   page.line("");

@@ -24,7 +24,7 @@ std::string postures_figure(const std::string& title, const HeldDisk& disk) {
         minimum_at(grasp, {.angle = minimum.theta,
                            .from = minimum.theta,
                            .to = minimum.theta,
-                           .effort = minimum.V,
+                           .value = minimum.V,
                            .kind = minimum.name == 'b' ? Kind::kink : minimum.kind});
     script.line("set title '{}: θ = {}, force norm {}' offset 0,-1", minimum.name,
                 degrees_text(minimum.theta), newtons(std::sqrt(minimum.V)));
@@ -96,8 +96,7 @@ void draw_range(Script& script, const HeldDisk& disk) {
   label("fork: the object lies", {0, -1.05}, best_colour);
   label("on both fingers", {0, -1.19}, best_colour);
   script.layer("$range with filledcurves closed fc rgb '#eaf1f8' fs solid noborder notitle");
-  script.layer("$fork with filledcurves closed fc rgb '{}' fs solid noborder notitle",
-               cradled_colour);
+  script.layer("$fork with filledcurves closed fc rgb '{}' fs solid noborder notitle", fork_colour);
   script.layer("$disk with lines lw 1.5 lc rgb '{}' notitle", line_colour);
   script.layer("$through with lines dt 2 lc rgb '{}' notitle", line_colour);
   script.layer("$upright with lines dt 3 lc rgb '{}' notitle", line_colour);

@@ -25,8 +25,8 @@ std::vector<double> parsed_list(std::string_view text) {
 
 Domain read_domain(const std::string& text) {
   if (text == "all") return Domain::all;
-  if (text == "pinched") return Domain::pinched;
-  throw UsageError("--domain: " + in_quotes(text) + " must be all or pinched");
+  if (text == "pinching-up") return Domain::pinching_up;
+  throw UsageError("--domain: " + in_quotes(text) + " must be all or pinching-up");
 }
 
 }  // namespace
@@ -123,7 +123,8 @@ void Flags::posture(Question& question, const std::string& posture) {
 }
 
 void Flags::domain(Question& question) {
-  value("--domain", "all|pinched", "Postures to choose from: all, or those not cradled",
+  value("--domain", "all|pinching-up",
+        "Postures to choose from: all, or those outside the fork of the fingers",
         [&](const auto& text) { question.domain = read_domain(text); });
 }
 

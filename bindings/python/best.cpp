@@ -24,7 +24,7 @@ struct Settings {
 
 Settings settings(Domain domain, double force_cap, double gap, int max_holds,
                   const py::object& tilt, int starts, Objective objective) {
-  Settings result{.curve = curve_settings(domain, force_cap),
+  Settings result{.curve = curve_settings(domain, force_cap, objective),
                   .space = {.objective = objective,
                             .gap = gap,
                             .max_holds = max_holds,
@@ -62,8 +62,6 @@ AnyBest best_of(const GraspOrScenarios& held, const Settings& settings) {
   const auto* const planar = std::get_if<Grasp<2>>(&one.of);
   if (!planar) return best_in_space(only<3>(one), settings);
   if (settings.space.tilt) throw InvalidGrasp("tilt", "is for space, the grasp is in the plane");
-  if (settings.space.objective == Objective::grip)
-    throw InvalidGrasp("objective", "grip is found by hold alone in the plane");
   return {best_posture(*planar, settings.curve)};
 }
 
@@ -114,8 +112,8 @@ void add_planar(py::module_& module) {
       .attribute("edges_meet", &Minimum<2>::edges_meet)
       .attribute("two_slipping", &Minimum<2>::two_slipping)
       .def("__repr__", [](const Minimum<2>& posture) {
-        return py::str("PlanarPosture({:.2f} deg, effort={:.6g} N^2, {}, {})")
-            .format(degrees(posture.optimum.angle), posture.optimum.effort,
+        return py::str("PlanarPosture({:.2f} deg, value={:.6g}, {}, {})")
+            .format(degrees(posture.optimum.angle), posture.optimum.value,
                     to_string(posture.manner), to_string(posture.optimum.kind));
       });
 
@@ -230,21 +228,13 @@ void add_best(py::module_& module) {
              "The best postures of many grasps, in their order, on all cores; see best_posture.");
   module.def(
       "posture_at",
-      [](const AnyGrasp& grasp, const Optimum& optimum, Domain domain, double force_cap) {
-        return minimum_at(only<2>(grasp), optimum, curve_settings(domain, force_cap));
+      [](const AnyGrasp& grasp, const Optimum& optimum, Domain domain, double force_cap,
+         Objective objective) {
+        return minimum_at(only<2>(grasp), optimum, curve_settings(domain, force_cap, objective));
       },
       py::arg("grasp"), py::arg("optimum"), py::kw_only(), py::arg("domain") = Domain::all,
-      py::arg("force_cap") = 1e6,
+      py::arg("force_cap") = 1e6, py::arg("objective") = Objective::effort,
       "An optimum of a curve, with its hold, manner and meeting point.");
-  module.def(
-      "cradled",
-      [](const AnyGrasp& grasp, const Eigen::VectorXd& up) {
-        const Grasp<3>& spatial_grasp = only<3>(grasp);
-        return cradled(spatial_grasp, spatial_grasp.loads().front().com, unit<3>(up));
-      },
-      py::arg("grasp"), py::arg("up"),
-      "Space: whether in the posture up (3,) the centre of mass lies in the fork of the fingers.\n"
-      "The plane has cradled_wedge.");
   module.def(
       "smallest_turn", &turn, py::arg("orientation"), py::arg("up"),
       "The smallest rotation, in the world frame, that takes an object from its orientation\n"

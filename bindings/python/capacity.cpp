@@ -27,14 +27,57 @@ R in_posture(const AnyGrasp& any, const Eigen::VectorXd& up, double force_cap, F
       any.of);
 }
 
+using Rates = SmallVector<double, 4>;
+
+Eigen::VectorXd vector_of(const Rates& rates) {
+  return Eigen::Map<const Eigen::VectorXd>(rates.data(), static_cast<Eigen::Index>(rates.size()));
+}
+
+/// Of each drive, or none.
+template <int Dim>
+Rates checked_rates(const Grasp<Dim>& grasp, const std::optional<Eigen::VectorXd>& given) {
+  Rates rates;
+  if (!given || given->size() == 0) return rates;
+  const std::vector<Drive<Dim>> drives = grasp.drives();
+  rates.resize(static_cast<std::size_t>(given->size()));
+  if (rates.size() != drives.size())
+    throw InvalidGrasp("rates", "has " + std::to_string(rates.size()) + " numbers, must have " +
+                                    std::to_string(drives.size()) + ", one for each drive");
+  for (std::size_t a = 0; a < rates.size(); ++a) {
+    rates[a] = (*given)[static_cast<Eigen::Index>(a)];
+    if (!(rates[a] >= 0) || !std::isfinite(rates[a]) ||
+        (rates[a] > 0 && !std::isfinite(drives[a].max)))
+      throw InvalidGrasp("rates[" + std::to_string(a) + "]",
+                         "must be at least 0, and 0 of a drive without max");
+  }
+  return rates;
+}
+
 std::vector<Deciding> deciding_contacts(const AnyGrasp& any, const Eigen::VectorXd& up,
-                                        const Eigen::VectorXd& dual, double force_cap) {
+                                        const Eigen::VectorXd& dual,
+                                        const std::optional<Eigen::VectorXd>& rates,
+                                        double force_cap) {
   if (!dual.allFinite()) throw InvalidGrasp("dual", "must be finite");
   return in_posture<std::vector<Deciding>>(
       any, up, force_cap,
       [&]<int Dim>(const Grasp<Dim>& grasp, const Load<Dim>& load, const Vector<Dim>& unit_up,
                    const HoldSettings& settings) {
-        return deciding<Dim>(grasp, load, unit_up, sized<wrench_size<Dim>>(dual, "dual"), settings);
+        return deciding<Dim>(grasp, load, unit_up, sized<wrench_size<Dim>>(dual, "dual"),
+                             checked_rates(grasp, rates), settings);
+      });
+}
+
+std::vector<double> drives_that_decide(const AnyGrasp& any, const Eigen::VectorXd& up,
+                                       const Eigen::VectorXd& dual,
+                                       const std::optional<Eigen::VectorXd>& rates,
+                                       double force_cap) {
+  if (!dual.allFinite()) throw InvalidGrasp("dual", "must be finite");
+  return in_posture<std::vector<double>>(
+      any, up, force_cap,
+      [&]<int Dim>(const Grasp<Dim>& grasp, const Load<Dim>& load, const Vector<Dim>& unit_up,
+                   const HoldSettings& settings) {
+        return deciding_drives<Dim>(grasp, load, unit_up, sized<wrench_size<Dim>>(dual, "dual"),
+                                    checked_rates(grasp, rates), settings);
       });
 }
 
@@ -54,9 +97,9 @@ constexpr const char* dual_text =
     "A twist y about the object frame's origin, (3,) or (6,): velocity, angular velocity [1/m]. "
     "For\n"
     "every weight that is held with a force norm of at most force_cap weights\n"
-    "  weight (y . w(1 N) - force_cap |P(y)|) <= greatest y . G f of contacts with max_normal,\n"
-    "where P(y) is what contacts without max_normal can do against y. Zero where there is no "
-    "bound.";
+    "  weight (y . w(1 N) - force_cap |P(z)|) <= sum of rates . max + greatest z . f of contacts\n"
+    "with max_normal, where z is y against the fingers that move with the rates, and P(z) what\n"
+    "contacts without max_normal can do against it. Zero where there is no bound.";
 
 void add_types(py::module_& module) {
   Class<AnyEnd>(module, "WeightEnd")
@@ -66,6 +109,9 @@ void add_types(py::module_& module) {
       .either("hold", [](const auto& end) { return hold_of(end.posture); })
       .either(
           "dual", [](const auto& end) -> Eigen::VectorXd { return end.dual; }, dual_text)
+      .either(
+          "rates", [](const auto& end) { return vector_of(end.rates); },
+          "Of the drives, >= 0, where any has a max; else empty.")
       .def("__repr__", each<AnyEnd>([](const auto& end) {
              return py::str("WeightEnd({:.6g} N)").format(end.weight);
            }));
@@ -97,6 +143,7 @@ void add_types(py::module_& module) {
       .either("bound", [](const auto& least) { return least.bound; })
       .either("hold", [](const auto& least) { return hold_of(least.posture); })
       .either("dual", [](const auto& least) -> Eigen::VectorXd { return least.dual; })
+      .either("rates", [](const auto& least) { return vector_of(least.rates); })
       .def("__repr__", each<AnyFriction>([](const auto& least) {
              return py::str("LeastFriction(factor={:.6g})").format(least.factor);
            }));
@@ -106,7 +153,11 @@ void add_types(py::module_& module) {
                  part<WeightRange, AnyCapacity>([](const auto& answer) { return answer.weights; }))
       .attribute("friction", part<LeastFriction, AnyCapacity>(
                                  [](const auto& answer) { return answer.friction; }))
-      .either("safe", [](const auto& answer) { return hold_of(answer.safe); })
+      .either(
+          "safe", [](const auto& answer) { return hold_of(answer.safe); },
+          "The hold of least grip with the friction divided by safety: its grip is what to "
+          "command. "
+          "Of a\ngrasp without a grip the hold of least effort.")
       .def("__repr__", each<AnyCapacity>([](const auto& answer) {
              return py::str("Capacity(weights={}, friction={})")
                  .format(py::cast(AnyRange{answer.weights}),
@@ -114,27 +165,30 @@ void add_types(py::module_& module) {
            }));
 }
 
+enum class Drives { same, unlimited };
+
 /// A grasp like another.
 template <class Change>
-std::shared_ptr<AnyGrasp> like(const AnyGrasp& any, Change change) {
+std::shared_ptr<AnyGrasp> like(const AnyGrasp& any, Drives drives, Change change) {
   return std::visit(
       [&]<int Dim>(const Grasp<Dim>& grasp) {
         std::vector<Load<Dim>> loads = grasp.loads();
         std::vector<Contact<Dim>> contacts = given_contacts(grasp);
         change(loads, contacts);
-        return std::make_shared<AnyGrasp>(AnyGrasp{Grasp<Dim>(loads, contacts)});
+        return std::make_shared<AnyGrasp>(AnyGrasp{Grasp<Dim>(
+            loads, contacts, 1, drives == Drives::same ? grasp.mechanism() : Mechanism<Dim>())});
       },
       any.of);
 }
 
 std::shared_ptr<AnyGrasp> with_weight(const AnyGrasp& grasp, double weight) {
-  return like(grasp, [&](auto& loads, auto&) {
+  return like(grasp, Drives::same, [&](auto& loads, auto&) {
     for (auto& load : loads) load.weight = weight;
   });
 }
 
 std::shared_ptr<AnyGrasp> with_friction(const AnyGrasp& grasp, double factor) {
-  return like(grasp, [&](auto&, auto& contacts) {
+  return like(grasp, Drives::same, [&](auto&, auto& contacts) {
     for (auto& contact : contacts) {
       contact.friction *= factor;
       contact.torsion *= factor;
@@ -143,7 +197,7 @@ std::shared_ptr<AnyGrasp> with_friction(const AnyGrasp& grasp, double factor) {
 }
 
 std::shared_ptr<AnyGrasp> without_limits(const AnyGrasp& grasp) {
-  return like(grasp, [](auto&, auto& contacts) {
+  return like(grasp, Drives::unlimited, [](auto&, auto& contacts) {
     for (auto& contact : contacts) {
       contact.min_normal = 0;
       if (std::isfinite(contact.max_normal)) contact.max_normal = 0;
@@ -167,9 +221,14 @@ void add_capacity(py::module_& module) {
       "The weights that can be held in the posture up (2,) or (3,), whatever the grasp's own. "
       "Weight\nand bound of each end differ by a part of 1e-7, or by what rounding leaves open.");
   module.def("deciding", &deciding_contacts, py::arg("grasp"), py::arg("up"), py::arg("dual"),
-             py::kw_only(), py::arg("force_cap") = 1e6, unlocked,
-             "A Deciding for each contact, read off the proof of an end: its dual (3,) or (6,), in "
-             "the\nposture up (2,) or (3,).");
+             py::arg("rates") = py::none(), py::kw_only(), py::arg("force_cap") = 1e6, unlocked,
+             "A Deciding for each contact, read off the proof of an end: its dual (3,) or (6,) and "
+             "rates,\nin the posture up (2,) or (3,).");
+  module.def("deciding_drives", &drives_that_decide, py::arg("grasp"), py::arg("up"),
+             py::arg("dual"), py::arg("rates") = py::none(), py::kw_only(),
+             py::arg("force_cap") = 1e6, unlocked,
+             "Of each drive how many newtons more can be held at most for each newton, or newton "
+             "metre,\nmore of its max, read off the proof of an end: its dual and rates.");
   module.def(
       "least_friction",
       [](const AnyGrasp& grasp, const Eigen::VectorXd& up, double force_cap) {

@@ -62,21 +62,31 @@ void add_types(py::module_& module) {
             .format(to_string(state.state), to_string(state.limit));
       });
 
+  Class<ArcForce>(module, "ArcForce")
+      .attribute("normal", &ArcForce::normal)
+      .attribute("tangential", &ArcForce::tangential)
+      .def("__repr__", [](const ArcForce& force) {
+        return py::str("ArcForce(normal={}, tangential={})").format(force.normal, force.tangential);
+      });
+
   Class<Arc>(module, "Arc")
       .attribute("from_", &Arc::from)
       .attribute("to", &Arc::to)
-      .attribute("V", &Arc::V)
+      .attribute("value", &Arc::value)
       .attribute("y", &Arc::y,
                  "Optimal dual, about the object frame's origin: three Harmonic1 [N, N, N/m].")
       .attribute("first_state", &Arc::first_state)
+      .attribute("rates", &Arc::rates)
+      .attribute("forces", &Arc::forces)
       .def("__repr__", [](const Arc& arc) {
-        return py::str("Arc({:.6g} to {:.6g}, V={})").format(arc.from, arc.to, arc.V);
+        return py::str("Arc({:.6g} to {:.6g}, value={})").format(arc.from, arc.to, arc.value);
       });
 
   Class<UnholdableArc>(module, "UnholdableArc")
       .attribute("from_", &UnholdableArc::from)
       .attribute("to", &UnholdableArc::to)
       .attribute("y", &UnholdableArc::y, "(3,) [N, N, N/m]")
+      .attribute("rates", &UnholdableArc::rates)
       .def("__repr__", [](const UnholdableArc& arc) {
         return py::str("UnholdableArc({:.6g} to {:.6g})").format(arc.from, arc.to);
       });
@@ -85,16 +95,17 @@ void add_types(py::module_& module) {
       .attribute("angle", &Optimum::angle)
       .attribute("from_", &Optimum::from)
       .attribute("to", &Optimum::to)
-      .attribute("effort", &Optimum::effort)
+      .attribute("value", &Optimum::value)
       .attribute("kind", &Optimum::kind)
       .attribute("maximum", &Optimum::maximum)
       .def("__repr__", [](const Optimum& optimum) {
-        return py::str("Optimum({} at {:.6g} rad, effort={:.6g} N^2, {})")
-            .format(optimum.maximum ? "maximum" : "minimum", optimum.angle, optimum.effort,
+        return py::str("Optimum({} at {:.6g} rad, value={:.6g}, {})")
+            .format(optimum.maximum ? "maximum" : "minimum", optimum.angle, optimum.value,
                     to_string(optimum.kind));
       });
 
   Class<PostureCurve>(module, "PostureCurve")
+      .attribute("objective", &PostureCurve::objective)
       .attribute("domain", &PostureCurve::domain)
       .attribute("arcs", &PostureCurve::arcs)
       .attribute("states", &PostureCurve::states)
@@ -114,29 +125,31 @@ void add_curve(py::module_& module) {
   add_types(module);
   module.def(
       "posture_curve",
-      [](const AnyGrasp& grasp, Domain domain, double force_cap) {
-        const CurveSettings settings = curve_settings(domain, force_cap);
+      [](const AnyGrasp& grasp, Domain domain, double force_cap, Objective objective) {
+        const CurveSettings settings = curve_settings(domain, force_cap, objective);
         const py::gil_scoped_release unlocked;
         return posture_curve(only<2>(grasp), settings);
       },
       py::arg("grasp"), py::kw_only(), py::arg("domain") = Domain::all, py::arg("force_cap") = 1e6,
-      "V(theta) of every posture of the domain, with its minima and maxima, without sampling.\n"
+      py::arg("objective") = Objective::effort,
+      "V(theta) or F*(theta) of every posture of the domain, with its minima and maxima, without\n"
+      "sampling.\n"
       "Postures that need a force norm above force_cap [weights] are unholdable.");
   module.def(
       "domain_interval",
       [](const AnyGrasp& grasp, Domain domain) { return domain_interval(only<2>(grasp), domain); },
       py::arg("grasp"), py::arg("domain"),
-      "The postures to choose from: the whole circle, or the closed rest of the cradled "
-      "wedge.");
+      "The postures to choose from: the whole circle, or the closed rest of the "
+      "fork.");
   module.def(
-      "cradled_wedge",
+      "fork_wedge",
       [](const AnyGrasp& grasp) {
         const Grasp<2>& planar = only<2>(grasp);
-        return cradled_wedge(planar, planar.loads().front().com);
+        return fork_wedge(planar, planar.loads().front().com);
       },
       py::arg("grasp"),
       "The postures in which the centre of mass lies in the fork of the fingers: an open "
-      "interval\nof less than 180 degrees; from_ == to where nothing is cradled.");
+      "interval\nof less than 180 degrees; from_ == to where there is none.");
 }
 
 }  // namespace poise::python

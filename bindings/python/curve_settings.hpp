@@ -4,8 +4,8 @@
 
 namespace poise::python {
 
-inline CurveSettings curve_settings(Domain domain, double force_cap) {
-  return {.domain = domain, .force_cap = checked_cap(force_cap)};
+inline CurveSettings curve_settings(Domain domain, double force_cap, Objective objective) {
+  return {.domain = domain, .force_cap = checked_cap(force_cap), .objective = objective};
 }
 
 }  // namespace poise::python

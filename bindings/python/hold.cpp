@@ -288,14 +288,6 @@ void add_hold(py::module_& module) {
   module.def("finger_forces", &fingers, py::arg("grasp"), py::arg("hold"),
              "A FingerForce for each of grasp.fingers. Empty where unholdable.");
   module.def(
-      "grip_force",
-      [](const AnyGrasp& any, const AnyHold& hold) {
-        return each(any, hold,
-                    [](const auto& grasp, const auto& own) { return grip_force(grasp, own); });
-      },
-      py::arg("grasp"), py::arg("hold"),
-      "How hard the hardest pressing finger presses: the largest normal force of a finger [N].");
-  module.def(
       "grip",
       [](const AnyGrasp& any, const AnyHold& hold) {
         return each(any, hold, [](const auto& grasp, const auto& own) { return grip(grasp, own); });

@@ -52,14 +52,13 @@ requires(!std::is_same_v<decltype(poise::python::enum_name<E>),
     const object python = poise::python::type(poise::python::enum_name<E>.text);
     if (!isinstance(source, python)) return false;
     const auto words = poise::words_of(E{});
-    const auto word = source.attr("name").cast<std::string>();
+    const auto word = source.attr("value").cast<std::string>();
     value = static_cast<E>(std::find(words.begin(), words.end(), word) - words.begin());
     return true;
   }
   static handle cast(E source, return_value_policy, handle) {
     const std::string word(poise::words_of(source)[static_cast<std::size_t>(source)]);
-    return object(poise::python::type(poise::python::enum_name<E>.text).attr(word.c_str()))
-        .release();
+    return poise::python::type(poise::python::enum_name<E>.text)(word).release();
   }
 };
 

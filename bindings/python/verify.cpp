@@ -34,8 +34,10 @@ Verdict check_hold(const AnyGrasp& any, const AnyHold& hold, const Eigen::Vector
 }
 
 Verdict check_best(const AnyGrasp& grasp, const Best<2>& best, Domain domain, double force_cap) {
-  return verify::verify(only<2>(grasp),
-                        BestAnswer<2>{.settings = curve_settings(domain, force_cap), .best = best});
+  return verify::verify(
+      only<2>(grasp),
+      BestAnswer<2>{.settings = curve_settings(domain, force_cap, best.proof.curve.objective),
+                    .best = best});
 }
 
 Verdict check_best_in_space(const AnyGrasp& grasp, const Best<3>& best, double force_cap,

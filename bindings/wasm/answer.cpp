@@ -110,7 +110,8 @@ std::string answer(const std::string& command, const Field& root, const PlanarFi
   const Grasp<2> grasp = file.grasp();
   Question question = question_of(root, command);
   if (const auto domain = root.find("domain"))
-    question.domain = domain->word({"all", "pinched"}) == "all" ? Domain::all : Domain::pinched;
+    question.domain =
+        domain->word({"all", "pinching-up"}) == "all" ? Domain::all : Domain::pinching_up;
   if (const auto angle = root.find("angle_deg")) question.angle_deg = angle->number();
   if (command == "margins") return margins<2>(file, grasp, question);
   return document(file, grasp, ask(file, grasp, question));

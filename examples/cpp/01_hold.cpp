@@ -1,6 +1,7 @@
 // How hard must the fingers press, as the part is held now?
 #include <cstdio>
 
+#include "poise/grip.hpp"
 #include "poise/posture.hpp"
 
 int main() {
@@ -14,8 +15,8 @@ int main() {
 
   // The posture: which direction of the part points up, when it is turned clockwise by 0.2 rad.
   const poise::Hold<2> hold = poise::hold(grasp, poise::up_at(-0.2));
-  std::printf("grip force %.3f N, effort %.2f N^2, at least %.2f N^2\n",
-              poise::grip_force(grasp, hold), hold.effort, hold.lower_bound);
+  std::printf("grip %.3f N, effort %.2f N^2, at least %.2f N^2\n", poise::grip<2>(grasp, hold),
+              hold.effort, hold.lower_bound);
   for (std::size_t i = 0; i < hold.forces.size(); ++i) {
     const poise::ContactForce<2>& force = hold.forces[i];
     std::printf("%s: normal %.3f N, tangential %.3f N, %s\n", grasp.contacts()[i].finger.c_str(),

@@ -3,13 +3,14 @@
 #include <numbers>
 
 #include "poise/best_posture.hpp"
+#include "poise/grip.hpp"
 
 namespace {
 
-void print(const char* what, const poise::Minimum<2>& posture) {
-  std::printf("%s: turned by %.2f degrees, %s: grip force %.3f N\n", what,
+void print(const char* what, const poise::Grasp<2>& grasp, const poise::Minimum<2>& posture) {
+  std::printf("%s: turned by %.2f degrees, %s: grip %.3f N\n", what,
               posture.optimum.angle * 180 / std::numbers::pi, poise::to_string(posture.manner),
-              posture.grip_force);
+              poise::grip<2>(grasp, posture.hold()));
 }
 
 }  // namespace
@@ -21,7 +22,7 @@ int main() {
   const poise::Grasp<2> grasp(part, {left, right});
 
   const poise::Best<2> best = poise::best_posture(grasp);
-  print("best", best.best());
-  print("best pinched", *best.best_pinched());
-  print("worst", *best.proof.worst);
+  print("best", grasp, best.best());
+  print("best pinched", grasp, *best.best_pinched());
+  print("worst", grasp, *best.proof.worst);
 }

@@ -17,8 +17,8 @@ int main() {
     std::printf("can be held from %.2f to %.2f degrees\n", held.from / degree, held.to / degree);
   for (const poise::Arc& arc : curve.arcs)
     std::printf("%7.2f to %7.2f: V = %.2f %+.2f cos 2t %+.2f sin 2t\n", arc.from / degree,
-                arc.to / degree, arc.V.c0, arc.V.cos2, arc.V.sin2);
+                arc.to / degree, arc.value.c0, arc.value.cos2, arc.value.sin2);
   for (const poise::Optimum& optimum : curve.optima)
     std::printf("%s at %.2f: V = %.2f, %s\n", optimum.maximum ? "maximum" : "minimum",
-                optimum.angle / degree, optimum.effort, poise::to_string(optimum.kind));
+                optimum.angle / degree, optimum.value, poise::to_string(optimum.kind));
 }

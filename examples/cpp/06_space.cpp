@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "poise/best_posture.hpp"
+#include "poise/grip.hpp"
 #include "poise/turn.hpp"
 
 int main() {
@@ -23,7 +24,7 @@ int main() {
   const poise::Grasp<3> grasp(std::vector{bare, with_tool}, {left, right});
 
   const poise::Vector<3> now = poise::Vector<3>::UnitZ();
-  std::printf("now: grip force %.3f N\n", poise::posture_at(grasp, now).grip_force);
+  std::printf("now: grip %.3f N\n", poise::grip<3>(grasp, poise::posture_at(grasp, now).hold()));
 
   // The posture whose worst load needs least, by at most 60 degrees from the present one.
   const poise::SpatialSettings settings{.gap = 1e-4, .tilt = poise::Tilt{now, 60 * degree}};
@@ -31,7 +32,7 @@ int main() {
   std::printf("%s, proven to %.0e of the effort\n", poise::to_string(best.status), settings.gap);
   for (const poise::Hold<3>& hold : best.best().holds)
     std::printf("force norm %.3f N\n", std::sqrt(hold.effort));
-  std::printf("best: grip force %.3f N, %s\n", best.best().grip_force,
+  std::printf("best: grip %.3f N, %s\n", poise::grip<3>(grasp, best.best().hold()),
               poise::to_string(best.best().manner));
 
   const poise::Turn turn = poise::turn_to(Eigen::Quaterniond::Identity(), best.best().up);

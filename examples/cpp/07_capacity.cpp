@@ -17,7 +17,7 @@ int main() {
   const poise::Capacity<2> capacity = poise::capacity(hand, block, poise::up_at(0), 1.5);
   std::printf("greatest weight %.3f N\n", capacity.weights.greatest.weight);
   std::printf("greatest safety on the friction %.3f\n", 1 / capacity.friction.factor);
-  std::printf("grip force to command %.3f N\n", capacity.safe.grip_force);
+  std::printf("grip to command %.3f N\n", capacity.safe.hold().grip);
 
   // What would help? What one more newton of a jaw brings, as the proof says.
   const std::vector<poise::Deciding>& deciding = capacity.weights.deciding;

@@ -11,7 +11,7 @@ grasp = poise.Grasp(part, [left, right])
 # The posture: which direction of the part points up, when it is turned clockwise by 0.2 rad.
 hold = poise.hold(grasp, poise.up_at(-0.2))
 print(
-    f"grip force {poise.grip_force(grasp, hold):.3f} N, "
+    f"grip {poise.grip(grasp, hold):.3f} N, "
     f"effort {hold.effort:.2f} N^2, at least {hold.lower_bound:.2f} N^2"
 )
 for contact, force in zip(grasp.contacts, hold.forces):

@@ -17,5 +17,5 @@ for what, posture in [
 ]:
     print(
         f"{what}: turned by {math.degrees(posture.optimum.angle):.2f} degrees, "
-        f"{posture.manner.value}: grip force {poise.grip_force(grasp, posture.hold):.3f} N"
+        f"{posture.manner.value}: grip {poise.grip(grasp, posture.hold):.3f} N"
     )

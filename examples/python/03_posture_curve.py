@@ -16,10 +16,10 @@ for held in curve.holdable:
 for arc in curve.arcs:
     print(
         f"{degrees(arc.from_):7.2f} to {degrees(arc.to):7.2f}: "
-        f"V = {arc.V.c0:.2f} {arc.V.cos2:+.2f} cos 2t {arc.V.sin2:+.2f} sin 2t"
+        f"V = {arc.value.c0:.2f} {arc.value.cos2:+.2f} cos 2t {arc.value.sin2:+.2f} sin 2t"
     )
 for optimum in curve.optima:
     print(
         f"{'maximum' if optimum.maximum else 'minimum'} at {degrees(optimum.angle):.2f}: "
-        f"V = {optimum.effort:.2f}, {optimum.kind.value}"
+        f"V = {optimum.value:.2f}, {optimum.kind.value}"
     )

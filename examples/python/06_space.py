@@ -11,7 +11,7 @@ with_tool = poise.Grasp(poise.Object(weight=11, com=[0.03, 0.002, 0]), [left, ri
 
 now = [0, 0, 1]
 upright = poise.hold(with_tool, now)
-print(f"now: grip force {poise.grip_force(with_tool, upright):.3f} N")
+print(f"now: grip {poise.grip(with_tool, upright):.3f} N")
 
 # The posture whose worst scenario needs least, by at most 60 degrees from the present one.
 tilt = poise.Tilt(now, math.radians(60))
@@ -20,7 +20,7 @@ print(f"{answer.status.value}, proven to {1e-4:.0e} of the effort")
 for effort in answer.best.scenario_efforts:
     print(f"force norm {math.sqrt(effort):.3f} N")
 print(
-    f"best: grip force {poise.grip_force(with_tool, answer.best.hold):.3f} N, "
+    f"best: grip {poise.grip(with_tool, answer.best.hold):.3f} N, "
     f"{answer.best.manner.value}"
 )
 

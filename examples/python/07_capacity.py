@@ -10,7 +10,7 @@ up = poise.up_at(0)
 capacity = poise.capacity(grasp, up, safety=1.5)
 print(f"greatest weight {capacity.weights.greatest.weight:.3f} N")
 print(f"greatest safety on the friction {1 / capacity.friction.factor:.3f}")
-print(f"grip force to command {poise.grip_force(grasp, capacity.safe):.3f} N")
+print(f"grip to command {capacity.safe.grip:.3f} N")
 
 # What would help? What one more newton of a jaw brings, as the proof says.
 decide = poise.deciding(grasp, up, capacity.weights.greatest.dual)

@@ -16,9 +16,11 @@ struct WeightEnd {
   Posture<Dim> posture;  ///< with the hold of `weight` alone
   /// A twist y about the object frame's origin. For every weight that is held with a force norm of
   /// at most force_cap weights
-  ///   weight (y . w(1 N) - force_cap |P(y)|) <= greatest y . G f of contacts with max_normal,
-  /// where P(y) is what contacts without max_normal can do against y. Zero where there is no bound.
+  ///   weight (y . w(1 N) - force_cap |P(z)|) <= sum of rates . max + greatest z . f of contacts
+  /// with max_normal, where z is y against the fingers that move with the rates, and P(z) what
+  /// contacts without max_normal can do against it. Zero where there is no bound.
   Twist<Dim> dual = Twist<Dim>::Zero();
+  SmallVector<double, 4> rates;  ///< of the drives, >= 0, where any has a max: equation (8)
 };
 
 /// What a contact has to do with the greatest weight, in every hold of it.
@@ -32,13 +34,17 @@ struct Deciding {
 /// All weights that can be held in a posture: an interval, since forces that hold two weights mix.
 template <int Dim>
 struct WeightRange {
-  bool holdable{false};     ///< whether there are any
-  WeightEnd<Dim> least;     ///< above 0 only where contacts have a min_normal
-  WeightEnd<Dim> greatest;  ///< infinite where contacts without max_normal can hold any weight:
-                            ///< then its hold is of the given weight, by these alone
+  bool holdable{false};  ///< whether there are any
+  WeightEnd<Dim> least;  ///< above 0 only where contacts have a min_normal
+  /// Infinite where contacts without max_normal can hold any weight and drives with a max have
+  /// nothing to do for it: then its hold is of the given weight, by these alone.
+  WeightEnd<Dim> greatest;
   /// Of each contact, read off the proof of the greatest weight; empty where that is infinite or
   /// nothing can be held.
   std::vector<Deciding> deciding;
+  /// Of each drive: how many newtons more can be held at most for each newton, or newton metre,
+  /// more of its max; 0 where it does not have to give all of it. Empty as `deciding`.
+  std::vector<double> deciding_drives;
 };
 
 /// The weights that can be held through the load's com with up = `up` (unit vector, object frame),
@@ -48,10 +54,17 @@ template <int Dim>
 WeightRange<Dim> weight_range(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
                               const HoldSettings& settings = {});
 
-/// The same, read off any y that proves an end of the weights.
+/// Which contacts decide, read off any (y, rates) that prove an end of the weights.
 template <int Dim>
 std::vector<Deciding> deciding(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
-                               const Twist<Dim>& dual, const HoldSettings& settings = {});
+                               const Twist<Dim>& dual, const SmallVector<double, 4>& rates,
+                               const HoldSettings& settings = {});
+/// And which drives.
+template <int Dim>
+std::vector<double> deciding_drives(const Hand<Dim>& hand, const Load<Dim>& load,
+                                    const Vector<Dim>& up, const Twist<Dim>& dual,
+                                    const SmallVector<double, 4>& rates,
+                                    const HoldSettings& settings = {});
 
 /// The least common factor on all frictions and torsions with which the weight is still held.
 /// 1 / factor is the greatest safety.
@@ -64,6 +77,7 @@ struct LeastFriction {
   Posture<Dim> posture;  ///< with `factor` times the friction
   /// As in WeightEnd, with the load's weight and `bound` times its friction.
   Twist<Dim> dual = Twist<Dim>::Zero();
+  SmallVector<double, 4> rates;  ///< of the drives, >= 0, where any has a max
 };
 
 /// The least friction for the load with up = `up` (unit vector, object frame). Factor and bound
@@ -77,10 +91,12 @@ template <int Dim>
 struct Capacity {
   WeightRange<Dim> weights;
   LeastFriction<Dim> friction;
-  Posture<Dim> safe;  ///< with all frictions and torsions divided by the safety
+  /// With all frictions and torsions divided by the safety: the hold of least grip, which is what
+  /// to command; its grip may be above most_grip(). Of a hand without a grip that of least effort.
+  Posture<Dim> safe;
 };
 
-/// The greatest weight, the least friction, and the forces to command, with up = `up` (unit vector,
+/// The greatest weight, the least friction, and the grip to command, with up = `up` (unit vector,
 /// object frame).
 /// @param safety  at least 1, on top of the one that the hand was made with
 template <int Dim>

@@ -115,6 +115,10 @@ class Hand {
   struct Scaled;
   const Scaled& scaled() const { return *scaled_; }  ///< for the solver
 
+  /// What the drives move, with everything looked up.
+  struct Driven;
+  const Driven& driven() const { return *driven_; }  ///< for the solver
+
  private:
   void check_mechanism();
 
@@ -126,6 +130,7 @@ class Hand {
   Vector<Dim> center_;
   double radius_{0};
   std::shared_ptr<const Scaled> scaled_;
+  std::shared_ptr<const Driven> driven_;
 };
 
 /// G: stacked contact forces (normal, tangential; contact by contact) to the wrench on the object

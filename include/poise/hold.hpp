@@ -79,6 +79,9 @@ struct Hold {
   double lower_bound{0};  ///< on the effort, by `dual` [N^2]
   double residual{0};     ///< balance error: the larger of force / W and moment / (W L)
   SmallVector<ContactForce<Dim>, 16> forces;  ///< one for each contact; empty where unholdable
+  /// The tangential force of each point of each pad, in the order of contacts and points [N, object
+  /// frame]; empty without pads.
+  std::vector<Vector<3>> pad_forces;
   Objective objective{Objective::effort};     ///< in which the forces are least, and lower_bound is
   double grip{0};                             ///< of objective grip: F of the forces [grip_unit()]
   /// Of the drives, >= 0, where they say something: docs/theory.md, (9) and (10).
@@ -138,10 +141,6 @@ Vector<3> force_vector(const Contact<3>& contact, const ContactForce<3>& force);
 /// The forces of the fingers, in the order of hand.fingers(). Empty where unholdable.
 template <int Dim>
 std::vector<FingerForce<Dim>> finger_forces(const Hand<Dim>& hand, const Hold<Dim>& hold);
-
-/// How hard the hardest pressing finger presses: the largest normal force of a finger [N].
-template <int Dim>
-double grip_force(const Hand<Dim>& hand, const Hold<Dim>& hold);
 
 /// Whether every finger's normal force is above 1e-9 of the weight [N].
 template <int Dim>

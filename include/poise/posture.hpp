@@ -24,24 +24,21 @@ struct Interval {
 
 /// The postures in which a centre of mass lies in the fork of the fingers: outside the hull of
 /// the contact points (by more than 1e-9 L), and straight above some point of it. An open interval
-/// of less than 180 degrees, by geometry alone; from == to where nothing is cradled.
-Interval cradled_wedge(const Hand<2>& hand, const Vector<2>& com);
+/// of less than 180 degrees, by geometry alone; from == to where there is none. The other postures
+/// are the paper's range of pinching up.
+Interval fork_wedge(const Hand<2>& hand, const Vector<2>& com);
 
-/// Whether in the posture `up` a centre of mass lies in the fork of the fingers: outside the hull
-/// of the contact points (by more than 1e-9 L), and straight above some point of it, not only just.
-bool cradled(const Hand<2>& hand, const Vector<2>& com, const Vector<2>& up);
-bool cradled(const Hand<3>& hand, const Vector<3>& com, const Vector<3>& up);
-
-/// How the object is held.
+/// How the object is held, by its forces: the first that applies.
 enum class Manner {
-  resting,  ///< a finger carries nothing, or there is only one finger
-  cradled,  ///< the centre of mass lies in the fork of the fingers
-  pinched,  ///< neither: the fingers hold it by friction
+  resting,  ///< one finger carries everything
+  cradled,  ///< it would be held without any friction
+  pinched,  ///< friction carries
 };
 /// The name of the value: "pinched".
 const char* to_string(Manner manner);
 
-/// How the object is held in the posture `up` by these forces against this load.
+/// How the object is held in the posture `up` by these forces against this load. Where more than
+/// one finger presses, it looks for a hold without friction.
 template <int Dim>
 Manner manner(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
               const Hold<Dim>& hold);
@@ -54,7 +51,6 @@ struct Posture {
   /// Index of the load that decides: the first that cannot be held, else the one that needs most.
   std::size_t decides{0};
   Manner manner{Manner::resting};  ///< against the load that decides; resting where unholdable
-  double grip_force{0};            ///< against the load that decides [N]
 
   /// The hold of the load that decides.
   const Hold<Dim>& hold() const { return holds[decides]; }

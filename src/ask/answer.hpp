@@ -16,7 +16,7 @@ namespace poise {
 template <int Dim>
 struct CheckAnswer {
   bool force_closure{false};
-  Interval cradled{};  ///< in the plane: from == to where nothing is cradled
+  Interval fork{};  ///< in the plane, fork_wedge()
 };
 
 /// The posture that was asked for, as it was given, an angle in (-180, 180]; nothing where the
@@ -44,7 +44,8 @@ struct BestAnswer<2> {
   std::optional<Posture<2>> now{};  ///< as it is held now, where the file says so
   /// Where nothing in the domain holds: a posture of it, to show why.
   std::optional<Posture<2>> unholdable{};
-  std::optional<Posture<2>> without_max_normal{};  ///< then the best, where these forbid it
+  std::optional<Posture<2>>
+      without_max{};  ///< then the best, where max_normal or a drive's max forbids it
 };
 template <>
 struct BestAnswer<3> {
@@ -52,7 +53,8 @@ struct BestAnswer<3> {
   Best<3> best;
   std::optional<Posture<3>> now{};         ///< as it is held now, where somebody said so
   std::optional<Posture<3>> unholdable{};  ///< where proven: a posture of the domain, to show why
-  std::optional<Posture<3>> without_max_normal{};  ///< then the best, where these forbid it
+  std::optional<Posture<3>>
+      without_max{};  ///< then the best, where max_normal or a drive's max forbids it
   Eigen::Quaterniond orientation{Eigen::Quaterniond::Identity()};  ///< the present one
 };
 

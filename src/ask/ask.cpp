@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "files/degrees.hpp"
+#include "poise/grip.hpp"
 #include "poise/turn.hpp"
 #include "shape/sizes.hpp"
 
@@ -64,8 +65,17 @@ std::optional<Tilt> tilt_of(const SpatialFile& file, const Question& question) {
   return tilt;
 }
 
+template <int Dim>
+HoldSettings hold_settings(const FileOf<Dim>& file, const Question& question) {
+  return {.force_cap = question.force_cap,
+          .objective = question.objective.value_or(file.objective)};
+}
+
 CurveSettings curve_settings(const PlanarFile& file, const Question& question) {
-  return {.domain = question.domain.value_or(file.domain), .force_cap = question.force_cap};
+  return {.domain = question.domain.value_or(file.domain),
+          .force_cap = question.force_cap,
+          .objective = question.objective.value_or(file.objective),
+          .present = file.angle.value_or(0)};
 }
 
 SpatialSettings spatial_settings(const SpatialFile& file, const Question& question,
@@ -81,7 +91,7 @@ SpatialSettings spatial_settings(const SpatialFile& file, const Question& questi
 }
 
 CheckAnswer<2> check(const PlanarFile&, const Grasp<2>& grasp) {
-  return {force_closure(grasp), cradled_wedge(grasp, grasp.loads().front().com)};
+  return {force_closure(grasp), fork_wedge(grasp, grasp.loads().front().com)};
 }
 
 CheckAnswer<3> check(const SpatialFile&, const Grasp<3>& grasp) { return {force_closure(grasp)}; }
@@ -95,8 +105,7 @@ PostureOption option_of(const Question& question) {
 template <int Dim>
 HoldAnswer<Dim> hold_in_posture(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                                 const Question& question) {
-  const HoldSettings settings{.force_cap = question.force_cap,
-                              .objective = question.objective.value_or(file.objective)};
+  const HoldSettings settings = hold_settings<Dim>(file, question);
   HoldAnswer<Dim> answer{option_of(question), settings,
                          posture_at(grasp, up_of<Dim>(file, question), settings)};
   if constexpr (Dim == 2) answer.angle = angle(file, question);
@@ -106,21 +115,27 @@ HoldAnswer<Dim> hold_in_posture(const FileOf<Dim>& file, const Grasp<Dim>& grasp
 /// A posture of a domain in which nothing can be held.
 Posture<2> example_of(const Grasp<2>& grasp, const CurveSettings& settings) {
   const Interval domain = domain_interval(grasp, settings.domain);
-  return posture_at(grasp, up_at((domain.from + domain.to) / 2), {settings.force_cap});
+  return posture_at(grasp, up_at((domain.from + domain.to) / 2),
+                    {settings.force_cap, settings.objective});
 }
 
 /// Where nothing holds: the best posture of the fingers if they could press as hard as they like.
 template <int Dim, class Settings>
-std::optional<Posture<Dim>> best_without_max_normal(const Grasp<Dim>& grasp,
-                                                    const Settings& settings) {
+std::optional<Posture<Dim>> best_without_max(const Grasp<Dim>& grasp, Settings settings) {
   std::vector<Contact<Dim>> contacts = grasp.contacts();
+  Mechanism<Dim> mechanism = grasp.mechanism();
   bool any = false;
-  for (Contact<Dim>& contact : contacts) {
-    any = any || std::isfinite(contact.max_normal);
-    contact.max_normal = std::numeric_limits<double>::infinity();
-  }
+  const auto free = [&](double& max) {
+    any = any || std::isfinite(max);
+    max = std::numeric_limits<double>::infinity();
+  };
+  for (Contact<Dim>& contact : contacts) free(contact.max_normal);
+  for (Finger<Dim>& finger : mechanism.fingers) free(finger.max_force);
+  for (Drive<Dim>& drive : mechanism.drives) free(drive.max);
   if (!any) return {};
-  const Best<Dim> best = best_posture(Grasp<Dim>(grasp.loads(), std::move(contacts)), settings);
+  const Grasp<Dim> strong(grasp.loads(), std::move(contacts), 1, std::move(mechanism));
+  if (!has_grip(strong)) settings.objective = Objective::effort;
+  const Best<Dim> best = best_posture(strong, settings);
   return best.holdable() ? std::optional<Posture<Dim>>(best.best()) : std::nullopt;
 }
 
@@ -131,21 +146,26 @@ BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question
                                       {question.tilt_max_deg.has_value(), "tilt-max"},
                                       {question.orientation.has_value(), "orientation"}})
     if (given) throw Misfit(option, "is for space,", 2);
-  if (question.objective.value_or(file.objective) == Objective::grip)
-    throw Misfit("objective", "grip is found by hold alone in the plane,", 2);
   const CurveSettings settings = curve_settings(file, question);
   BestAnswer<2> answer{settings, best_posture(grasp, settings)};
-  if (file.angle) answer.now = posture_at(grasp, up_at(*file.angle), {settings.force_cap});
+  if (file.angle)
+    answer.now = posture_at(grasp, up_at(*file.angle), {settings.force_cap, settings.objective});
   if (!answer.best.holdable()) {
     answer.unholdable = example_of(grasp, settings);
-    answer.without_max_normal = best_without_max_normal(grasp, settings);
+    answer.without_max = best_without_max(grasp, settings);
   }
   return answer;
 }
 
-/// The posture in which it is held now counts as found: it may be all that can be held.
+/// The posture in which it is held now counts as found: it may be all that can be held. It wins
+/// ties, as far as the wanted gap allows.
 void consider(Best<3>& best, const Posture<3>& now, const SpatialSettings& settings) {
-  if (!now.holdable() || (best.holdable() && best.best().value() <= now.value())) return;
+  constexpr double tie = 1e-6;
+  if (!now.holdable()) return;
+  if (best.holdable() && best.best().value() < now.value() &&
+      (best.best().value() * (1 + tie) < now.value() ||
+       now.value() - best.lower_bound > settings.gap * now.value()))
+    return;
   if (settings.tilt && now.up.dot(settings.tilt->from.normalized()) < std::cos(settings.tilt->most))
     return;
   const double value = now.value();
@@ -158,8 +178,8 @@ void consider(Best<3>& best, const Posture<3>& now, const SpatialSettings& setti
 }
 
 BestAnswer<3> best(const SpatialFile& file, const Grasp<3>& grasp, const Question& question) {
-  if (question.domain.value_or(Domain::all) == Domain::pinched)
-    throw Misfit("domain", "pinched is for the plane,", 3);
+  if (question.domain.value_or(Domain::all) == Domain::pinching_up)
+    throw Misfit("domain", "pinching-up is for the plane,", 3);
   const SpatialSettings settings = spatial_settings(file, question, grasp.is_general());
   BestAnswer<3> answer{settings, best_posture(grasp, settings)};
   answer.orientation = question.orientation ? *question.orientation
@@ -172,7 +192,7 @@ BestAnswer<3> best(const SpatialFile& file, const Grasp<3>& grasp, const Questio
   if (answer.best.status == Status::unholdable) {
     answer.unholdable = posture_at(grasp, settings.tilt ? settings.tilt->from : now,
                                    {settings.force_cap, settings.objective});
-    answer.without_max_normal = best_without_max_normal(grasp, settings);
+    answer.without_max = best_without_max(grasp, settings);
   }
   return answer;
 }
@@ -186,15 +206,19 @@ CurveAnswer curve(const PlanarFile& file, const Grasp<2>& grasp, const Question&
   return answer;
 }
 
-std::optional<Vector<2>> best_up(const PlanarFile& file, const Grasp<2>& grasp, double force_cap) {
-  const Best<2> best = best_posture(grasp, {.domain = file.domain, .force_cap = force_cap});
+std::optional<Vector<2>> best_up(const PlanarFile& file, const Grasp<2>& grasp,
+                                 const Question& question) {
+  CurveSettings settings = curve_settings(file, question);
+  // The curve of the effort knows no limits of drives.
+  if (grasp.is_general()) settings.objective = Objective::grip;
+  if (settings.objective == Objective::grip && !has_grip<2>(grasp)) return {};
+  const Best<2> best = best_posture(grasp, settings);
   return best.holdable() ? std::optional(best.best().up) : std::nullopt;
 }
 
-std::optional<Vector<3>> best_up(const SpatialFile& file, const Grasp<3>& grasp, double force_cap) {
-  SpatialSettings settings;
-  settings.force_cap = force_cap;
-  settings.tilt = file.tilt;
+std::optional<Vector<3>> best_up(const SpatialFile& file, const Grasp<3>& grasp,
+                                 const Question& question) {
+  SpatialSettings settings = spatial_settings(file, question, grasp.is_general());
   settings.starts = 0;
   const Best<3> best = best_posture(grasp, settings);
   return best.holdable() ? std::optional(best.best().up) : std::nullopt;
@@ -213,7 +237,7 @@ NamedUps<Dim> postures(const FileOf<Dim>& file, const Grasp<Dim>& grasp, const Q
   NamedUps<Dim> list;
   if (const auto now = present_up(file)) list.emplace_back("now", *now);
   if (list.empty() || which == Which::all)
-    if (const auto up = best_up(file, grasp, question.force_cap)) list.emplace_back("best", *up);
+    if (const auto up = best_up(file, grasp, question)) list.emplace_back("best", *up);
   if (list.empty()) list.emplace_back("upright", upright<Dim>());
   return list;
 }
@@ -255,7 +279,7 @@ template <int Dim>
 NamedPosture<Dim> first_posture(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                                 const Question& question) {
   const auto [name, up] = postures(file, grasp, question, Which::first).front();
-  return {name, posture_at(grasp, up, {.force_cap = question.force_cap})};
+  return {name, posture_at(grasp, up, hold_settings<Dim>(file, question))};
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ inline Words words_of(ForceLimit) { return {"none", "min", "max"}; }
 inline Words words_of(Manner) { return {"resting", "cradled", "pinched"}; }
 inline Words words_of(Kind) { return {"boundary", "kink", "smooth"}; }
 inline Words words_of(Status) { return {"optimal", "gap", "unholdable"}; }
-inline Words words_of(Domain) { return {"all", "pinched"}; }
+inline Words words_of(Domain) { return {"all", "pinching-up"}; }
 inline Words words_of(Objective) { return {"grip", "effort"}; }
 inline Words words_of(Extremum) { return {"min", "max"}; }
 
@@ -33,10 +33,15 @@ inline Words words_of(Extremum) { return {"min", "max"}; }
 void fields(Harmonic2& V, auto& visit) {
   visit("c0", V.c0, "cos1", V.cos1, "sin1", V.sin1, "cos2", V.cos2, "sin2", V.sin2);
 }
+void fields(Harmonic1& F, auto& visit) { visit("c0", F.c0, "cos1", F.cos1, "sin1", F.sin1); }
+void fields(ArcForce& force, auto& visit) {
+  visit("normal", force.normal, "tangential", force.tangential);
+}
 void fields(ArcState& arc, auto& visit) { visit("state", arc.state, "limit", arc.limit); }
 void fields(UnholdableArc& arc, auto& visit) {
   visit.degrees("from_deg", arc.from, "to_deg", arc.to);
   visit("y", arc.y);
+  visit.maybe("rates", arc.rates);
 }
 void fields(Tilt& tilt, auto& visit) {
   visit("from", tilt.from);
@@ -61,6 +66,8 @@ struct ContactClaim {
   std::optional<double> torsion_moment{};         ///< of a soft finger
   Vector<Dim> force;                              ///< object frame
   std::optional<Vector<3>> center_of_pressure{};  ///< of a pad, object frame
+  /// Of a pad: the tangential force of each of its points, object frame.
+  std::optional<std::vector<Vector<3>>> point_forces{};
   ContactState state{};
   ForceLimit limit{};
 
@@ -69,7 +76,7 @@ struct ContactClaim {
     visit("tangential_force", tangential_force);
     visit.maybe("torsion_moment", torsion_moment);
     visit("force", force);
-    visit.maybe("center_of_pressure", center_of_pressure);
+    visit.maybe("center_of_pressure", center_of_pressure, "point_forces", point_forces);
     visit("state", state, "limit", limit);
   }
 };
@@ -114,7 +121,6 @@ struct HoldClaim {
   double effort{0}, force_norm{0}, residual{0};
   Manner manner{};
   bool all_loaded{false};
-  double grip_force{0};
   std::optional<double> grip{};  ///< null where fingers have no closing direction
   std::vector<DriveClaim> drives{};
   std::vector<FingerClaim<Dim>> fingers{};
@@ -131,7 +137,7 @@ struct HoldClaim {
     visit("lower_bound", lower_bound);
     if (!holdable) return visit("reason", reason);
     visit("effort", effort, "force_norm", force_norm, "residual", residual, "manner", manner);
-    visit("all_loaded", all_loaded, "grip_force", grip_force, "grip", grip, "drives", drives);
+    visit("all_loaded", all_loaded, "grip", grip, "drives", drives);
     visit("fingers", fingers, "contacts", contacts);
   }
 };
@@ -164,14 +170,22 @@ struct ArcDual {
 };
 
 struct ArcClaim {
-  double from{0}, to{0};  ///< [rad]
-  Harmonic2 V{};
-  ArcDual y{};
+  double from{0}, to{0};           ///< [rad]
+  std::optional<Harmonic1> F{};    ///< of grip; then y and rates prove it all along
+  Harmonic2 V{};                   ///< of effort
+  ArcDual y{};                     ///< of grip c0 alone
+  std::vector<double> rates{};     ///< of grip
+  std::vector<ArcForce> forces{};  ///< of grip, one for each contact
   std::vector<ArcState> states{};  ///< one for each contact
 
   void fields(auto& visit) {
     visit.degrees("from_deg", from, "to_deg", to);
-    visit("V", V, "y", y, "states", states);
+    visit.maybe("F", F);
+    if (F)
+      visit("y", y.c0, "rates", rates, "forces", forces);
+    else
+      visit("V", V, "y", y);
+    visit("states", states);
   }
 };
 
@@ -189,7 +203,8 @@ struct RotationClaim {
 /// What was asked for: of these what belongs to the command, or was given.
 struct OptionsClaim {
   std::optional<Domain> domain{};
-  double force_cap{0};  ///< [weights]
+  std::optional<double> present_deg{};  ///< in the plane: of ties the least turn from it is first
+  double force_cap{0};                  ///< [weights]
   std::optional<Objective> objective{};
   std::optional<double> gap{};
   std::optional<int> max_holds{};
@@ -199,7 +214,7 @@ struct OptionsClaim {
   std::optional<std::vector<double>> up{};
 
   void fields(auto& visit) {
-    visit.maybe("domain", domain);
+    visit.maybe("domain", domain, "present_deg", present_deg);
     visit("force_cap", force_cap);
     visit.maybe("objective", objective, "gap", gap, "max_holds", max_holds, "tilt", tilt,
                 "orientation", orientation);
@@ -271,6 +286,13 @@ struct DecidingClaim : Deciding {
   }
 };
 
+struct DecidingDriveClaim {
+  std::string name;
+  double per_newton{0};  ///< of its max, or per newton metre
+
+  void fields(auto& visit) { visit("name", name, "per_newton", per_newton); }
+};
+
 /// The weights that can be held.
 template <int Dim>
 struct WeightClaim {
@@ -279,20 +301,25 @@ struct WeightClaim {
   bool any{false};  ///< any weight, however great
   std::optional<double> greatest{}, greatest_bound{};
   Twist<Dim> greatest_dual;
+  std::optional<std::vector<double>> greatest_rates{};  ///< of the drives, where any has a max
   std::optional<double> least{};
   double least_bound{0};
   Twist<Dim> least_dual;
+  std::optional<std::vector<double>> least_rates{};
   std::optional<HoldClaim<Dim>> greatest_hold{}, least_hold{};
   std::vector<DecidingClaim> contacts{};
+  std::vector<DecidingDriveClaim> drives{};
 
   void fields(auto& visit) {
     visit("given", given, "holdable", holdable, "any", any, "greatest", greatest);
     visit("greatest_bound", greatest_bound, "greatest_dual", greatest_dual);
+    visit.maybe("greatest_rates", greatest_rates);
     visit("least", least, "least_bound", least_bound, "least_dual", least_dual);
+    visit.maybe("least_rates", least_rates);
     if (!holdable) return;
     visit("greatest_hold", greatest_hold);
     visit.maybe("least_hold", least_hold);
-    visit("contacts", contacts);
+    visit("contacts", contacts, "drives", drives);
   }
 };
 
@@ -302,9 +329,14 @@ struct FrictionClaim {
   std::optional<double> factor{};
   double bound{0};
   Twist<Dim> dual;
+  std::optional<std::vector<double>> rates{};  ///< of the drives, where any has a max
   std::optional<HoldClaim<Dim>> hold{};
 
-  void fields(auto& visit) { visit("factor", factor, "bound", bound, "dual", dual, "hold", hold); }
+  void fields(auto& visit) {
+    visit("factor", factor, "bound", bound, "dual", dual);
+    visit.maybe("rates", rates);
+    visit("hold", hold);
+  }
 };
 
 /// What a gripper can hold in a posture, against one load.
@@ -346,7 +378,7 @@ struct CheckDocument {
   // In the plane.
   std::optional<double> angle_deg{};
   Domain domain{};
-  std::optional<Interval> cradled{};
+  std::optional<Interval> fork{};
   // In space.
   std::optional<Vector<3>> up{};
   std::optional<Tilt> tilt{};

@@ -17,9 +17,16 @@ std::optional<double> finite(double number) {
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+/// None are left out.
+std::optional<std::vector<double>> some(const SmallVector<double, 4>& rates) {
+  if (rates.empty()) return {};
+  return std::vector<double>(rates.begin(), rates.end());
+}
+
 template <int Dim>
 std::vector<ContactClaim<Dim>> contact_claims(const Hand<Dim>& hand, const Hold<Dim>& hold) {
   std::vector<ContactClaim<Dim>> claims(hold.forces.size());
+  auto point = hold.pad_forces.begin();
   for (std::size_t i = 0; i < claims.size(); ++i) {
     const Contact<Dim>& contact = hand.contacts()[i];
     const ContactForce<Dim>& force = hold.forces[i];
@@ -34,7 +41,11 @@ std::vector<ContactClaim<Dim>> contact_claims(const Hand<Dim>& hand, const Hold<
     } else {
       claims[i].tangential_force = force.tangential.norm();
       if (contact.torsion > 0 || contact.pad) claims[i].torsion_moment = force.torsion_moment;
-      if (contact.pad) claims[i].center_of_pressure = contact.position + force.center_of_pressure;
+      if (!contact.pad) continue;
+      claims[i].center_of_pressure = contact.position + force.center_of_pressure;
+      const auto last = point + static_cast<std::ptrdiff_t>(contact.pad->points.size());
+      claims[i].point_forces.emplace(point, last);
+      point = last;
     }
   }
   return claims;
@@ -62,7 +73,7 @@ HoldClaim<Dim> hold_claim(const Hand<Dim>& hand, double weight, const Vector<Dim
   if constexpr (Dim == 2) claim.angle_deg = degrees(angle_of(up));
   claim.objective = hold.objective;
   claim.dual = hold.dual;
-  if (!hold.rates.empty()) claim.rates.emplace(hold.rates.begin(), hold.rates.end());
+  claim.rates = some(hold.rates);
   claim.lower_bound = hold.lower_bound;
   if (!hold.holdable) {
     claim.reason = reason(hand, hold);
@@ -73,7 +84,6 @@ HoldClaim<Dim> hold_claim(const Hand<Dim>& hand, double weight, const Vector<Dim
   claim.residual = hold.residual;
   claim.manner = manner;
   claim.all_loaded = all_loaded(hand, hold, weight);
-  claim.grip_force = grip_force(hand, hold);
   const std::vector<FingerForce<Dim>> fingers = finger_forces(hand, hold);
   for (std::size_t k = 0; k < fingers.size(); ++k)
     claim.fingers.push_back(
@@ -134,7 +144,14 @@ std::optional<MinimumClaim<Dim>> minimum_claim(const Grasp<Dim>& grasp,
 std::vector<ArcClaim> arc_claims(const PostureCurve& curve, std::size_t contacts) {
   std::vector<ArcClaim> claims;
   for (const Arc& arc : curve.arcs) {
-    ArcClaim claim{arc.from, arc.to, arc.V};
+    ArcClaim claim{.from = arc.from, .to = arc.to};
+    if (arc.rates) {
+      claim.F = {arc.value.c0, arc.value.cos1, arc.value.sin1};
+      claim.rates = *arc.rates;
+      claim.forces = arc.forces;
+    } else {
+      claim.V = arc.value;
+    }
     for (Eigen::Index k = 0; k < 3; ++k) {
       const Harmonic1& y = arc.y[static_cast<std::size_t>(k)];
       claim.y.c0[k] = y.c0;
@@ -151,7 +168,10 @@ std::vector<ArcClaim> arc_claims(const PostureCurve& curve, std::size_t contacts
 RotationClaim rotation_claim(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
 OptionsClaim options_claim(const CurveSettings& settings) {
-  return {.domain = settings.domain, .force_cap = settings.force_cap};
+  return {.domain = settings.domain,
+          .present_deg = degrees(settings.present),
+          .force_cap = settings.force_cap,
+          .objective = settings.objective};
 }
 
 void add_proof(BestDocument<2>& claim, const Grasp<2>& grasp, const BestAnswer<2>& answer) {
@@ -193,8 +213,10 @@ WeightClaim<Dim> weight_claim(const Hand<Dim>& hand, const Load<Dim>& load,
                          .any = range.holdable && std::isinf(greatest.weight),
                          .greatest_bound = finite(greatest.bound),
                          .greatest_dual = greatest.dual,
+                         .greatest_rates = some(greatest.rates),
                          .least_bound = least.bound,
-                         .least_dual = least.dual};
+                         .least_dual = least.dual,
+                         .least_rates = some(least.rates)};
   if (!range.holdable) return claim;
   claim.greatest = finite(greatest.weight);
   claim.least = least.weight;
@@ -202,13 +224,17 @@ WeightClaim<Dim> weight_claim(const Hand<Dim>& hand, const Load<Dim>& load,
   if (least.weight > 0) claim.least_hold = hold_claim(hand, least.weight, least.posture);
   for (std::size_t i = 0; i < range.deciding.size(); ++i)
     claim.contacts.push_back({range.deciding[i], hand.contacts()[i].finger});
+  const std::vector<Drive<Dim>> drives = hand.drives();
+  for (std::size_t a = 0; a < range.deciding_drives.size(); ++a)
+    claim.drives.push_back({drives[a].name, range.deciding_drives[a]});
   return claim;
 }
 
 template <int Dim>
 FrictionClaim<Dim> friction_claim(const Hand<Dim>& hand, const Load<Dim>& load,
                                   const LeastFriction<Dim>& friction) {
-  FrictionClaim<Dim> claim{finite(friction.factor), friction.bound, friction.dual};
+  FrictionClaim<Dim> claim{finite(friction.factor), friction.bound, friction.dual,
+                           some(friction.rates)};
   if (claim.factor) claim.hold = hold_claim(hand, load.weight, friction.posture);
   return claim;
 }
@@ -347,6 +373,7 @@ CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Di
   claim.options = {
       .force_cap = answer.force_cap, .safety = answer.safety, .angle_deg = answer.option.angle_deg};
   if (!answer.option.up.empty()) claim.options.up = answer.option.up;
+  const Hand<Dim> safe(grasp.contacts(), grasp.center(), answer.safety, grasp.mechanism());
   for (const CapacityAt<Dim>& at : answer.capacities) {
     const Load<Dim>& load = grasp.loads()[at.load];
     CapacityClaim<Dim> capacity{.posture = at.posture, .up = at.up};
@@ -354,7 +381,7 @@ CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Di
     if (grasp.loads().size() > 1) capacity.scenario = at.load;
     capacity.weight = weight_claim<Dim>(grasp, load, at.capacity.weights);
     capacity.friction = friction_claim<Dim>(grasp, load, at.capacity.friction);
-    capacity.command = hold_claim<Dim>(grasp, load.weight, at.capacity.safe);
+    capacity.command = hold_claim<Dim>(safe, load.weight, at.capacity.safe);
     claim.capacities.push_back(std::move(capacity));
   }
   return claim;
@@ -375,8 +402,8 @@ std::string document(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
     result["contacts"].push_back(contact_value(contact));
   result["force_closure"] = answer.force_closure;
   if constexpr (Dim == 2) {
-    Interval cradled = answer.cradled;
-    result["cradled_deg"] = cradled.from < cradled.to ? json_of(cradled) : Json();
+    Interval fork = answer.fork;
+    result["fork_deg"] = fork.from < fork.to ? json_of(fork) : Json();
   }
   result["warnings"] = file.warnings;
   return json_text(result);

@@ -142,7 +142,7 @@ CheckDocument<Dim> read_check(const Field& root) {
   read("force_closure", check.force_closure);
   if constexpr (Dim == 2) {
     Load<2>& load = check.loads.emplace_back();
-    read("angle_deg", check.angle_deg, "domain", check.domain, "cradled_deg", check.cradled);
+    read("angle_deg", check.angle_deg, "domain", check.domain, "fork_deg", check.fork);
     read("weight", load.weight, "com", load.com);
   } else {
     read("up", check.up, "tilt", check.tilt);

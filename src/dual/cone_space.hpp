@@ -149,6 +149,10 @@ inline Eigen::Matrix<double, 6, 4> columns(const ContactLane<3>& lane, std::size
   return G;
 }
 
+inline Eigen::Matrix<double, 6, 4> columns(const Cones<3>& cones, std::size_t contact) {
+  return columns(cones.lanes[contact / lane_size], contact % lane_size);
+}
+
 /// z of a contact in the object frame, under a twist about its origin.
 template <class Real>
 Slide<Real> slide(const Contact<3>& contact, const Twist<3>& y) {

@@ -7,6 +7,7 @@
 #include "dual/cone_pad.hpp"
 #include "dual/cone_plane.hpp"
 #include "dual/cone_space.hpp"
+#include "dual/scaled_hand.hpp"
 #include "poise/grasp.hpp"
 #include "poise/small_vector.hpp"
 
@@ -62,16 +63,15 @@ using Rates = SmallVector<double, 4>;
 
 /// y less what drives with these rates move of each finger.
 template <int Dim>
-std::vector<Twist<Dim>> against_fingers(const Hand<Dim>& hand, const Twist<Dim>& y,
-                                        const Rates& rates, bool in_parts) {
-  std::vector<Twist<Dim>> left(hand.fingers().size(), y);
+SmallVector<Twist<Dim>, 8> against_fingers(const Hand<Dim>& hand, const Twist<Dim>& y,
+                                           const Rates& rates, bool in_parts) {
+  SmallVector<Twist<Dim>, 8> left(hand.fingers().size());
+  std::fill(left.begin(), left.end(), y);
   if (rates.empty()) return left;
-  const std::vector<Drive<Dim>> drives = hand.drives();
-  for (std::size_t a = 0; a < drives.size(); ++a)
-    for (const auto& moved : drives[a].moves)
-      for (std::size_t k = 0; k < left.size(); ++k)
-        if (hand.fingers()[k] == moved.finger)
-          left[k] -= rates[a] / (in_parts ? drives[a].max : 1) * moved.twist;
+  const Driven<Dim>& driven = hand.driven();
+  for (const auto& moved : driven.moved)
+    left[moved.finger] -=
+        rates[moved.drive] / (in_parts ? driven.drives[moved.drive].max : 1) * moved.twist;
   return left;
 }
 
@@ -81,9 +81,8 @@ template <int Dim>
 Exact effort_bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Dim>& y,
                    const Rates& rates, double friction_factor) {
   Exact sum = y.template cast<Exact>().dot(load.template cast<Exact>());
-  const std::vector<Drive<Dim>> drives = hand.drives();
   for (std::size_t a = 0; a < rates.size(); ++a)
-    if (rates[a] > 0) sum -= Exact{rates[a]} * drives[a].max;
+    if (rates[a] > 0) sum -= Exact{rates[a]} * hand.driven().drives[a].max;
   const auto felt = against_fingers(hand, y, rates, false);
   for (std::size_t i = 0; i < hand.contacts().size(); ++i)
     sum -= phi(hand.contacts()[i], felt[hand.finger_of(i)], friction_factor);

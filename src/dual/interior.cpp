@@ -40,7 +40,7 @@ struct Ray {
   T curvature() const { return u / s; }
   T product() const { return s * u; }
   void aim() { d = -s; }
-  void aim(const T& center) { d = -s + (center - ds * du) / u; }
+  void aim(const T& center, const T& second) { d = -s + (center - second * ds * du) / u; }
   void step(const T& change) {
     ds = change;
     du = curvature() * (d - ds);
@@ -100,10 +100,10 @@ struct Cone {
     return {(w0 * x.head - along) / scale, (x.tail - (x.head - along / (1 + w0)) * w1) / scale};
   }
   void aim() { d = {-s.head, -s.tail}; }
-  void aim(const T& center) {
+  void aim(const T& center, const T& second) {
     const Spin<D, T> a = over(ds), b = times(du);
-    const T head = center - lambda.dot(lambda) - a.dot(b);
-    const Tail tail = -2 * lambda.head * lambda.tail - a.head * b.tail - b.head * a.tail;
+    const T head = center - lambda.dot(lambda) - second * a.dot(b);
+    const Tail tail = -2 * lambda.head * lambda.tail - second * (a.head * b.tail + b.head * a.tail);
     const T first = (lambda.head * head - lambda.tail.dot(tail)) / lambda.square();
     d = times({first, (tail - first * lambda.tail) / lambda.head});
   }
@@ -256,7 +256,8 @@ class Interior {
   void find_residuals();
   T center();
   void factorise();
-  void aim(const T* center);
+  void aim();
+  void aim(const T& center, const T& second);
   void solve(Side& side, const T& damping, bool of_tau);
   void follow(Side& side, const Column& x) const;
   T refine(const T& damping);
@@ -450,11 +451,18 @@ void Interior<Dim, T>::factorise() {
   factors_.factorise(y + rows);
 }
 
-/// Null: at the border.
+/// At the border.
 template <int Dim, class T>
-void Interior<Dim, T>::aim(const T* center) {
-  for (Part& part : parts_) center ? part.cone.aim(*center) : part.cone.aim();
-  for_each_ray([&](Ray<T>& ray) { center ? ray.aim(*center) : ray.aim(); });
+void Interior<Dim, T>::aim() {
+  for (Part& part : parts_) part.cone.aim();
+  for_each_ray([](Ray<T>& ray) { ray.aim(); });
+}
+
+/// At products of s and u that are `center`, with so much of the last step's second order.
+template <int Dim, class T>
+void Interior<Dim, T>::aim(const T& center, const T& second) {
+  for (Part& part : parts_) part.cone.aim(center, second);
+  for_each_ray([&](Ray<T>& ray) { ray.aim(center, second); });
 }
 
 /// The step as far as it follows from aims and residuals, or per unit of tau.
@@ -654,6 +662,7 @@ Balance<Dim> Interior<Dim, T>::run() {
   using std::abs;
   Found best{};
   best.error = infinity;
+  keep(best);  // where numbers overflow at once there is something to tell, too
   int last_better = 0;
   for (best.steps = 0;; ++best.steps) {
     find_residuals();
@@ -684,12 +693,14 @@ Balance<Dim> Interior<Dim, T>::run() {
     if (best.steps == most_steps || !(here > 1e-300)) break;
 
     factorise();
-    aim(nullptr);
+    aim();
     solve(growing_, 1, true);
     step(1, -tau_ * kappa_, false);
-    const T left = 1 - std::min<T>(1, way()), sigma = left * left * left;
-    const T target = sigma * here, corrected = target - tau_ * kappa_ - dtau_ * dkappa_;
-    aim(&target);
+    const T affine = std::min<T>(1, way()), left = 1 - affine, sigma = left * left * left;
+    // Of a short way's second order only its part: else steps to and fro may never end.
+    const T second = affine * affine;
+    const T target = sigma * here, corrected = target - tau_ * kappa_ - second * dtau_ * dkappa_;
+    aim(target, second);
     step(1 - sigma, corrected, true);
     const T length = std::min<T>(1, most_of_the_way * way());
     if (!(length > shortest_step)) break;
@@ -733,8 +744,13 @@ void Interior<Dim, T>::settle(Found& best) const {
 }  // namespace
 
 template <int Dim>
+Balance<Dim> quick_balance(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wanted) {
+  return Interior<Dim, double>(hand, w, wanted).run();
+}
+
+template <int Dim>
 Balance<Dim> balance(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wanted) {
-  const Balance<Dim> found = Interior<Dim, double>(hand, w, wanted).run();
+  const Balance<Dim> found = quick_balance(hand, w, wanted);
   if (found.state != Balance<Dim>::State::open) return found;
 #ifdef __wasm__
   return found;  // the page with the core in it is loaded from the web: digits are not worth its size
@@ -795,6 +811,8 @@ GripCut<Dim> grip_cut(const ConeHand<Dim>& hand, const Balance<Dim>& found, doub
 
 template GripCut<2> grip_cut(const ConeHand<2>&, const Balance<2>&, double);
 template GripCut<3> grip_cut(const ConeHand<3>&, const Balance<3>&, double);
+template Balance<2> quick_balance(const ConeHand<2>&, const Wrench<2>&, Wanted);
+template Balance<3> quick_balance(const ConeHand<3>&, const Wrench<3>&, Wanted);
 template Balance<2> balance(const ConeHand<2>&, const Wrench<2>&, Wanted);
 template Balance<3> balance(const ConeHand<3>&, const Wrench<3>&, Wanted);
 

@@ -88,6 +88,9 @@ struct Balance {
 
 template <int Dim>
 Balance<Dim> balance(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wanted);
+/// As far as doubles come.
+template <int Dim>
+Balance<Dim> quick_balance(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Wanted wanted);
 
 /// What (y, rates) prove of the grip: rate_sum F >= y . w - fixed, for every w. (10) of
 /// docs/theory.md.

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "dual/cone_plane.hpp"
 #include "dual/cone_space.hpp"
 #include "dual/dual.hpp"
 #include "dual/newton.hpp"
+#include "dual/twist.hpp"
 
 namespace poise {
 namespace {
@@ -100,6 +102,69 @@ Hand<Dim>::Scaled::Scaled(const std::vector<Contact<Dim>>& contacts, const Vecto
     if (contact.pad) unfelt.clear();  // pads feel all
 }
 
+template <int Dim>
+Hand<Dim>::Driven::Driven(const Hand<Dim>& hand)
+    : drive_of((hand.contacts().size() + lane_size - 1) / lane_size * lane_size),
+      lanes(hand.scaled().lanes.size()) {
+  const Mechanism<Dim>& mechanism = hand.mechanism();
+  const std::vector<std::string>& names = hand.fingers();
+  const std::size_t fingers = names.size();
+  if (mechanism.kind == DriveKind::listed) {
+    drives.resize(mechanism.drives.size());
+    for (std::size_t a = 0; a < drives.size(); ++a) {
+      const Drive<Dim>& drive = mechanism.drives[a];
+      drives[a] = {drive.max, drive.turns};
+      for (const auto& moves : drive.moves) {
+        const auto finger = std::find(names.begin(), names.end(), moves.finger);
+        moved.push_back({a, static_cast<std::size_t>(finger - names.begin()), moves.twist});
+      }
+    }
+  } else {
+    const bool coupled = mechanism.kind == DriveKind::coupled;
+    drives.resize(coupled ? 1 : fingers);
+    std::fill(drives.begin(), drives.end(), Limit{std::numeric_limits<double>::infinity(), false});
+    moved.reserve(fingers);
+    for (std::size_t k = 0; k < fingers; ++k) {
+      const Vector<Dim> direction = hand.closing(k);
+      closing = closing && !direction.isZero(0);
+      Moved moves{coupled ? 0 : k, k, Twist<Dim>::Zero()};
+      moves.twist.template head<Dim>() = direction / (coupled ? static_cast<double>(fingers) : 1);
+      moved.push_back(moves);
+      for (const Finger<Dim>& given : mechanism.fingers)
+        if (given.name == names[k])
+          drives[moves.drive].max = std::min(drives[moves.drive].max, given.max_force);
+    }
+  }
+  for (const Limit& drive : drives) {
+    alike = alike && drive.turns == drives[0].turns && drive.max == drives[0].max;
+    all_limited = all_limited && std::isfinite(drive.max);
+  }
+
+  SmallVector<const Moved*, 16> by(fingers);
+  std::fill(by.begin(), by.end(), nullptr);
+  for (const Moved& moves : moved) {
+    apart = apart && by[moves.finger] == nullptr;
+    by[moves.finger] = &moves;
+  }
+  for (const Contact<Dim>& contact : hand.contacts()) apart = apart && !contact.pad;
+  std::fill(lanes.begin(), lanes.end(), DriveLane<Dim>{});
+  std::fill(drive_of.begin(), drive_of.end(), drives.size());
+  const Scaled& scaled = hand.scaled();
+  const Cones<Dim> cones = scaled.cones(1);
+  for (std::size_t i = 0; i < hand.contacts().size(); ++i) {
+    const Moved* moves = by[hand.finger_of(i)];
+    if (moves == nullptr) continue;
+    drive_of[i] = moves->drive;
+    const Limit& drive = drives[moves->drive];
+    const double scale = !alike ? 1 / drive.max : drive.turns ? scaled.per_length : 1;
+    const auto zeta =
+        (dual::columns(cones, i).transpose() * (scale * about_center(scaled, 1, moves->twist)))
+            .eval();
+    for (int k = 0; k < contact_size<Dim>; ++k)
+      lanes[i / lane_size].zeta[k][i % lane_size] = zeta[k];
+  }
+}
+
 template <>
 void Hand<2>::Scaled::prepare() {
   Eigen::Matrix3d GGt = Eigen::Matrix3d::Zero();
@@ -136,7 +201,7 @@ void Hand<3>::Scaled::prepare() {
   for (Twist<3>& y : unfelt) {
     Twist<3> felt = Twist<3>::Zero();
     for (std::size_t i = 0; i < size; ++i) {
-      const Eigen::Matrix<double, 6, 4> G = dual::columns(lanes[i / lane_size], i % lane_size);
+      const Eigen::Matrix<double, 6, 4> G = dual::columns(cones(1), i);
       felt += G * (G.transpose() * y);
     }
     y = (y - inverse * felt).normalized();
@@ -233,5 +298,7 @@ Widened<3>::Widened(const Cones<3>& cones) : limited(cones.limited), lanes(cones
 
 template struct Hand<2>::Scaled;
 template struct Hand<3>::Scaled;
+template struct Hand<2>::Driven;
+template struct Hand<3>::Driven;
 
 }  // namespace poise

@@ -55,6 +55,43 @@ struct Hand<Dim>::Scaled {
 template <int Dim>
 using ScaledHand = typename Hand<Dim>::Scaled;
 
+/// What the contacts of a lane feel of their drive at speed 1, as z in the solver's units; of a
+/// drive that turns per radius L, and where grip is in parts of max per newton of max.
+template <int Dim>
+struct alignas(sizeof(Lane)) DriveLane {
+  Lane zeta[contact_size<Dim>];
+};
+
+template <int Dim>
+struct Hand<Dim>::Driven {
+  explicit Driven(const Hand<Dim>& hand);
+
+  /// A finger that a drive moves.
+  struct Moved {
+    std::size_t drive, finger;
+    Twist<Dim> twist;  ///< per unit of the drive's speed, about the object frame's origin
+  };
+  struct Limit {
+    double max;
+    bool turns;
+  };
+  std::vector<Moved> moved;  ///< drive by drive
+  SmallVector<Limit, 8> drives;
+  bool closing{true};      ///< whether every finger that a drive closes has a closing direction
+  bool alike{true};        ///< whether efforts are compared as they are
+  bool all_limited{true};  ///< whether every drive has a max
+
+  // As the solver sees it, where no finger is moved by two drives.
+  bool apart{true};
+  SmallVector<std::size_t, 16> drive_of;  ///< of each contact, or their number; lanes are filled up
+  SmallVector<DriveLane<Dim>, 16 / lane_size> lanes;
+
+  bool has_grip() const { return closing && (alike || all_limited); }
+};
+
+template <int Dim>
+using Driven = typename Hand<Dim>::Driven;
+
 /// The same contacts in wider numbers, with limits in the unit of force.
 template <int Dim>
 struct Widened {

@@ -369,7 +369,7 @@ PlanarFile read_planar(const Field& root) {
   read_head<2>(root, file);
   if (const auto angle = root.find("angle_deg")) file.angle = radians(angle->number());
   if (const auto domain = root.find("domain"))
-    file.domain = domain->word({"all", "pinched"}) == "all" ? Domain::all : Domain::pinched;
+    file.domain = domain->word({"all", "pinching-up"}) == "all" ? Domain::all : Domain::pinching_up;
   const double unit = read_unit(root);
   const Field object = read_shape_of_object<2>(root, unit, file);
   file.loads = {read_load<2>(object, unit, file.shape)};
@@ -384,8 +384,9 @@ SpatialFile read_spatial(const Field& root) {
   read_head<3>(root, file);
   if (const auto up = root.find("up")) file.up = read_direction(*up);
   if (const auto tilt = root.find("tilt")) file.tilt = read_tilt(*tilt);
-  if (const auto domain = root.find("domain"); domain && domain->word({"all", "pinched"}) != "all")
-    domain->fail("pinched is for the plane, must be all: best_pinched is shown anyway");
+  if (const auto domain = root.find("domain");
+      domain && domain->word({"all", "pinching-up"}) != "all")
+    domain->fail("pinching-up is for the plane, must be all: best_pinched is shown anyway");
   const double unit = read_unit(root);
   const Field object = read_shape_of_object<3>(root, unit, file);
   file.loads = read_scenarios(object, unit, file.shape);

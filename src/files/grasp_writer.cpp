@@ -194,7 +194,7 @@ std::string mesh_document(const Mesh& mesh) {
 std::string grasp_document(const PlanarFile& file) {
   Json result = head(file);
   if (file.angle) result["angle_deg"] = degrees(*file.angle);
-  if (file.domain == Domain::pinched) result["domain"] = "pinched";
+  if (file.domain == Domain::pinching_up) result["domain"] = "pinching-up";
   result["object"] = load_value(file.loads.front());
   if (file.shape) result["object"]["shape"] = shape_value(*file.shape);
   result["contacts"] = contact_values(file.contacts);

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
 
-#include "dual/cone_plane.hpp"
-#include "dual/cone_space.hpp"
+#include "dual/exact.hpp"
 #include "hold/solve.hpp"
+#include "poise/grip.hpp"
 
 namespace poise {
 namespace {
@@ -17,55 +16,45 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double wanted = 1e-7;  // between what is held and what is proven
 constexpr double most_friction = 1e6;
+constexpr double nothing = 1e-9;    ///< of the weight: what drives may do that have nothing to do
+constexpr double rounding = 4e-16;  ///< of a twist
 constexpr int most_probes = 200;
 
 using Real = dual::Exact;  // a force norm of a million weights makes rounding of doubles felt
 
-using Slide = dual::Slide<Real>;
+using dual::Rates;
 
+/// What proves that something cannot be held.
 template <int Dim>
-std::vector<Slide> slides(const Hand<Dim>& hand, const Twist<Dim>& y) {
-  std::vector<Slide> result;
-  for (const Contact<Dim>& contact : hand.contacts())
-    result.push_back(dual::slide<Real>(contact, y));
-  return result;
-}
+struct Proof {
+  Twist<Dim> y;
+  Rates rates;  ///< of the drives; empty: 0
+};
 
-/// What contact forces can do against y at most: `fixed` + `growing` times their force norm.
+/// What contacts and drives can do against y at most: `fixed` + `growing` times the force norm.
 struct Power {
   Real fixed{0}, growing{0};
 };
 
-template <int Dim>
-Power power(const Hand<Dim>& hand, const std::vector<Slide>& slides, double factor) {
-  Power power;
-  Real squared = 0;
-  for (std::size_t i = 0; i < slides.size(); ++i) {
-    const Contact<Dim>& contact = hand.contacts()[i];
-    const Slide& z = slides[i];
-    const Real mu = Real{factor} * contact.friction, along = dual::power(z, mu);
-    if (std::isfinite(contact.max_normal)) {
-      power.fixed += (along > 0 ? contact.max_normal : contact.min_normal) * along;
-      continue;
-    }
-    // A cone cut at min_normal is that cut and the cone.
-    power.fixed += contact.min_normal * along;
-    if (along <= 0) continue;
-    const bool inside = z.beside <= mu * z.normal;
-    const Real projected = inside ? std::hypot(z.normal, z.beside) : along / std::sqrt(1 + mu * mu);
-    squared += contact.share * projected * projected;
-  }
-  power.growing = std::sqrt(squared);
-  return power;
-}
-
 /// What is asked: a weight through the load's com, in a posture. Equation (8) of docs/theory.md.
 template <int Dim>
 struct Question {
+  Question(const Hand<Dim>& held_by, const Load<Dim>& held, const Vector<Dim>& upwards,
+           const HoldSettings& within)
+      : hand(held_by), load(held), up(upwards), settings(within), drives(held_by.drives()) {
+    for (const Drive<Dim>& drive : drives)
+      limited_drives = limited_drives || std::isfinite(drive.max);
+    limited = limited_drives;
+    for (const Contact<Dim>& contact : hand.contacts())
+      limited = limited || std::isfinite(contact.max_normal);
+  }
+
   const Hand<Dim>& hand;
   const Load<Dim>& load;
   const Vector<Dim>& up;
   const HoldSettings& settings;
+  std::vector<Drive<Dim>> drives;
+  bool limited_drives{false}, limited{false};
 
   /// What one newton of weight does against y at least, if the balance is off by the tolerance.
   Real driven(const Twist<Dim>& y) const {
@@ -73,60 +62,205 @@ struct Question {
     const Real omega = y.template tail<wrench_size<Dim> - Dim>().norm();
     return v.dot(up.template cast<Real>()) - dual::delta * (v.norm() + hand.radius() * omega);
   }
+  /// How a drive moves the finger of a contact.
+  Twist<Dim> screw(std::size_t drive, std::size_t contact) const {
+    Twist<Dim> sum = Twist<Dim>::Zero();
+    for (const auto& moved : drives[drive].moves)
+      if (moved.finger == hand.contacts()[contact].finger) sum += moved.twist;
+    return sum;
+  }
+  /// y against the finger of a contact.
+  Twist<Dim> felt(const Proof<Dim>& proof, std::size_t contact) const {
+    Twist<Dim> left = proof.y;
+    for (std::size_t a = 0; a < proof.rates.size(); ++a)
+      if (proof.rates[a] > 0) left -= proof.rates[a] * screw(a, contact);
+    return left;
+  }
+  Power power(const Proof<Dim>& proof, double friction_factor) const {
+    Power power;
+    Real squared = 0;
+    for (std::size_t a = 0; a < proof.rates.size(); ++a)
+      if (proof.rates[a] > 0) power.fixed += Real{proof.rates[a]} * drives[a].max;
+    for (std::size_t i = 0; i < hand.contacts().size(); ++i) {
+      const Contact<Dim>& contact = hand.contacts()[i];
+      const Twist<Dim> z = felt(proof, i);
+      const Real along = dual::power(contact, z, friction_factor);
+      if (std::isfinite(contact.max_normal)) {
+        power.fixed += (along > 0 ? contact.max_normal : contact.min_normal) * along;
+        continue;
+      }
+      // A cone cut at min_normal is that cut and the cone.
+      power.fixed += contact.min_normal * along;
+      if (along <= 0) continue;
+      Contact<Dim> whole = contact;
+      whole.min_normal = 0;
+      squared += 2 * std::max(dual::phi(whole, z, friction_factor), Real{0});
+    }
+    power.growing = std::sqrt(squared);
+    return power;
+  }
+  /// With rates at which contacts without max_normal can do nothing, where the drives' max is worth
+  /// less than the force cap.
+  Proof<Dim> eased(Proof<Dim> proof, double friction_factor) const {
+    if (!limited_drives) return proof;
+    if (proof.rates.empty()) {
+      proof.rates.resize(drives.size());
+      std::fill(proof.rates.begin(), proof.rates.end(), 0.0);
+    }
+    for (std::size_t i = 0; i < hand.contacts().size(); ++i) {
+      const Contact<Dim>& contact = hand.contacts()[i];
+      if (std::isfinite(contact.max_normal)) continue;
+      const Twist<Dim> z = felt(proof, i);
+      const auto along = static_cast<double>(dual::power(contact, z, friction_factor)) +
+                         rounding * (z.cwiseAbs().sum() + proof.y.cwiseAbs().sum());
+      if (!(along > 0)) continue;
+      double least = infinity, more = 0;
+      std::size_t best = 0;
+      for (std::size_t a = 0; a < drives.size(); ++a) {
+        const Twist<Dim> opening = -screw(a, i);
+        const auto eases = -static_cast<double>(dual::power(contact, opening, friction_factor));
+        if (!(eases > 0) || !(drives[a].max / eases < least)) continue;
+        least = drives[a].max / eases;
+        more = along / eases;
+        best = a;
+      }
+      proof.rates[best] += more;
+    }
+    return proof;
+  }
   /// The hold of another weight [N] by the same contacts, or by changed ones.
   Hold<Dim> hold(const ScaledHand<Dim>& contacts, double weight, double friction_factor = 1) const {
     const Load<Dim> probed{.weight = weight, .com = load.com};
     return solve<Dim>(hand, contacts, friction_factor, probed, up, settings);
   }
-  /// With a hold that was found.
-  Posture<Dim> posture(Hold<Dim> hold, double weight) const {
+  /// Whether limits are too low for a load, and what proves it.
+  bool needs_too_much(const Wrench<Dim>& wrench, double weight, double friction_factor,
+                      Proof<Dim>& proof) const {
+    if (!hand.is_general() || !limited) return false;
+    const LeastPart<Dim> least = least_part(hand, friction_factor, wrench, weight);
+    if (least.state != dual::Balance<Dim>::State::not_held && !(least.part > 1 + 1e-9))
+      return false;
+    proof = {least.y, least.rates};
+    return true;
+  }
+  /// A hold, or what proves that there is none.
+  bool holds(double weight, double friction_factor, Hold<Dim>& hold, Proof<Dim>& proof) const {
+    const Load<Dim> probed{.weight = weight, .com = load.com};
+    if (needs_too_much(probed.at(up), weight, friction_factor, proof)) return false;
+    hold = friction_factor == 1
+               ? this->hold(hand.scaled(), weight)
+               : this->hold(hand.scaled().with_friction(friction_factor), weight, friction_factor);
+    if (!hold.holdable) proof = {hold.dual, hold.rates};
+    return hold.holdable;
+  }
+  /// With a hold that was found, by `by`.
+  Posture<Dim> posture(Hold<Dim> hold, double weight, const Hand<Dim>& by) const {
     Posture<Dim> posture{.up = up, .holds = {std::move(hold)}};
     if (!posture.holdable()) return posture;
     const Load<Dim> probed{.weight = weight, .com = load.com};
-    posture.manner = poise::manner(hand, probed, up, posture.hold());
-    posture.grip_force = poise::grip_force(hand, posture.hold());
+    posture.manner = poise::manner(by, probed, up, posture.hold());
     return posture;
   }
 };
 
-/// y as a bound on the weight: weight * gain <= fixed.
+/// (y, rates) as a bound on the weight: weight * gain <= fixed.
 struct Cut {
   Real gain, fixed;
 };
 
 template <int Dim>
-Cut cut_by(const Question<Dim>& asked, const Twist<Dim>& y) {
-  const Power most = power(asked.hand, slides(asked.hand, y), 1);
-  return {asked.driven(y) - asked.settings.force_cap * most.growing, most.fixed};
+Cut cut_by(const Question<Dim>& asked, const Proof<Dim>& proof) {
+  const Power most = asked.power(proof, 1);
+  return {asked.driven(proof.y) - asked.settings.force_cap * most.growing, most.fixed};
 }
 
-/// Equation (8) knows neither pads nor drives.
+/// The part of a contact's tangential velocity that makes all of it slip.
 template <int Dim>
-void check_plain(const Hand<Dim>& hand) {
-  for (std::size_t i = 0; i < hand.contacts().size(); ++i)
-    if (hand.contacts()[i].pad)
-      throw InvalidGrasp("contacts[" + std::to_string(i) + "].pad",
-                         "is not taken into account by capacity: give points with shares");
-  if (hand.is_general())
-    throw InvalidGrasp("drives",
-                       "have a max, which capacity does not take into account: leave it "
-                       "out, or give max_normal of the contacts");
+Real sliding(const Contact<Dim>& contact, const Twist<Dim>& y) {
+  if constexpr (Dim == 3)
+    if (contact.pad) {
+      const std::vector<Real> beside = dual::pad_slide<Real>(contact, y).beside;
+      return *std::min_element(beside.begin(), beside.end());
+    }
+  return dual::slide<Real>(contact, y).beside;
 }
 
 /// In every hold of the greatest weight (8) is an equation.
 template <int Dim>
-std::vector<Deciding> deciding_by(const Question<Dim>& asked, const Twist<Dim>& y) {
-  const Real gain = cut_by(asked, y).gain, least = 1e-9 * std::abs(gain);
-  const std::vector<Slide> all = slides(asked.hand, y);
+std::vector<Deciding> deciding_by(const Question<Dim>& asked, const Proof<Dim>& proof) {
+  const Real gain = cut_by(asked, proof).gain, least = 1e-9 * std::abs(gain);
   std::vector<Deciding> result;
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (std::size_t i = 0; i < asked.hand.contacts().size(); ++i) {
     const Contact<Dim>& contact = asked.hand.contacts()[i];
-    const Real along = dual::power(all[i], Real{contact.friction});
+    const Twist<Dim> felt = asked.felt(proof, i);
+    const Real along = dual::power(contact, felt);
     const bool pressing = std::isfinite(contact.max_normal) && along > least;
     result.push_back({pressing ? static_cast<double>(along / gain) : 0,
-                      contact.friction > 0 && all[i].beside > least && along > -least});
+                      contact.friction > 0 && sliding(contact, felt) > least && along > -least});
   }
   return result;
+}
+
+template <int Dim>
+std::vector<double> drives_by(const Question<Dim>& asked, const Proof<Dim>& proof) {
+  const Real gain = cut_by(asked, proof).gain, least = 1e-9 * std::abs(gain);
+  std::vector<double> result(asked.drives.size(), 0.0);
+  for (std::size_t a = 0; a < proof.rates.size(); ++a)
+    if (proof.rates[a] > least) result[a] = static_cast<double>(proof.rates[a] / gain);
+  return result;
+}
+
+/// By contacts without max_normal alone, with drives that have a max doing nothing.
+template <int Dim>
+Hold<Dim> hold_without_limits(const Question<Dim>& asked) {
+  const Hand<Dim>& hand = asked.hand;
+  std::vector<Contact<Dim>> contacts;
+  for (const Contact<Dim>& contact : hand.contacts())
+    if (!std::isfinite(contact.max_normal)) {
+      contacts.push_back(contact);
+      contacts.back().min_normal = 0;
+    }
+  Hold<Dim> hold;
+  if (contacts.empty()) return hold;
+  const Hand<Dim> fingers(contacts, hand.center());
+  Mechanism<Dim> mechanism{.kind = DriveKind::listed};
+  for (Drive<Dim> drive : asked.drives) {
+    if (!std::isfinite(drive.max)) continue;
+    drive.max = nothing * asked.load.weight * (drive.turns ? hand.scaled().length : 1);
+    std::erase_if(drive.moves, [&](const auto& moved) {
+      const auto& left = fingers.fingers();
+      return std::find(left.begin(), left.end(), moved.finger) == left.end();
+    });
+    if (!drive.moves.empty()) mechanism.drives.push_back(std::move(drive));
+  }
+  if (mechanism.drives.empty()) mechanism.kind = DriveKind::each;
+  const Load<Dim> load{.weight = asked.load.weight, .com = asked.load.com};
+  const Hold<Dim> found = poise::hold(Hand<Dim>(contacts, hand.center(), 1, mechanism), load,
+                                      asked.up, {asked.settings.force_cap});
+  hold.holdable = found.holdable;
+  hold.dual = found.dual;
+  if (!found.holdable) return hold;
+  hold.effort = found.effort;
+  hold.residual = found.residual;
+  hold.forces.resize(hand.contacts().size());
+  std::size_t next = 0;
+  auto point = found.pad_forces.begin();
+  for (std::size_t i = 0; i < hold.forces.size(); ++i) {
+    const bool presses = !std::isfinite(hand.contacts()[i].max_normal);
+    if constexpr (Dim == 3)
+      if (const auto& pad = hand.contacts()[i].pad)
+        for (std::size_t k = 0; k < pad->points.size(); ++k)
+          hold.pad_forces.push_back(presses ? *point++ : Vector<3>::Zero());
+    if (presses) {
+      hold.forces[i] = found.forces[next++];
+      continue;
+    }
+    ContactForce<Dim> none{};
+    none.limit = ForceLimit::none;
+    if constexpr (Dim == 3) none.tangential = none.center_of_pressure = Vector<3>::Zero();
+    hold.forces[i] = none;
+  }
+  return hold;
 }
 
 /// The search for both ends: every y that proves something cuts the range.
@@ -139,6 +273,9 @@ class WeightSearch {
       pressed_ = pressed_ || contact.min_normal > 0;
       if (std::isfinite(contact.max_normal)) strength_ += contact.max_normal;
     }
+    for (const Drive<Dim>& drive : asked.drives)
+      if (std::isfinite(drive.max))
+        strength_ += drive.turns ? drive.max / asked.hand.scaled().length : drive.max;
   }
 
   WeightRange<Dim> run() {
@@ -148,26 +285,37 @@ class WeightSearch {
     if (!range_.holdable) try_given();
     complete(range_.least, least_);
     complete(range_.greatest, greatest_);
-    if (range_.holdable && range_.greatest.weight < infinity)
-      range_.deciding = deciding_by(asked_, range_.greatest.dual);
+    if (range_.holdable && range_.greatest.weight < infinity) {
+      const Proof<Dim> proof{range_.greatest.dual, range_.greatest.rates};
+      range_.deciding = deciding_by(asked_, proof);
+      range_.deciding_drives = drives_by(asked_, proof);
+    }
     return std::move(range_);
   }
 
  private:
-  void cut(Twist<Dim> y) {
-    const double size = y.template lpNorm<Eigen::Infinity>();
+  void cut(Proof<Dim> proof) {
+    const double size = proof.y.template lpNorm<Eigen::Infinity>();
     if (!(size > 0)) return;
-    y /= size;
-    const Cut row = cut_by(asked_, y);
+    proof.y /= size;
+    for (double& rate : proof.rates) rate /= size;
+    apply(proof);
+    if (asked_.limited_drives) apply(asked_.eased(std::move(proof), 1));
+  }
+
+  void apply(const Proof<Dim>& proof) {
+    const Cut row = cut_by(asked_, proof);
     const auto weight = static_cast<double>(row.fixed / row.gain);
     WeightEnd<Dim>& least = range_.least;
     WeightEnd<Dim>& greatest = range_.greatest;
     if (row.gain >= 0 && weight < greatest.bound) {
       greatest.bound = std::max(weight, 0.0);
-      greatest.dual = y;
+      greatest.dual = proof.y;
+      greatest.rates = proof.rates;
     } else if (row.gain < 0 && weight > least.bound && !from_zero_) {
       least.bound = weight;
-      least.dual = y;
+      least.dual = proof.y;
+      least.rates = proof.rates;
     }
   }
 
@@ -177,37 +325,61 @@ class WeightSearch {
   }
 
   bool probe(WeightEnd<Dim>& end, Hold<Dim>& hold, double weight) {
-    hold = asked_.hold(asked_.hand.scaled(), weight);
-    if (hold.holdable)
-      end.weight = weight;
-    else
-      cut(hold.dual);
-    return hold.holdable;
+    Proof<Dim> proof;
+    if (!asked_.holds(weight, 1, hold, proof)) {
+      cut(std::move(proof));
+      return false;
+    }
+    end.weight = weight;
+    return true;
   }
 
   void bound_greatest() {
-    greatest_ = asked_.hold(asked_.hand.scaled().without_limits(), asked_.load.weight);
+    if (!asked_.hand.is_general()) {
+      greatest_ = asked_.hold(asked_.hand.scaled().without_limits(), asked_.load.weight);
+    } else if (!asked_.limited) {
+      greatest_ = asked_.hold(asked_.hand.scaled(), asked_.load.weight);
+    } else {
+      const Hand<Dim>& hand = asked_.hand;
+      std::vector<Contact<Dim>> contacts = hand.contacts();
+      for (Contact<Dim>& contact : contacts) contact.min_normal = 0;
+      const Load<Dim> given{.weight = asked_.load.weight, .com = asked_.load.com};
+      const LeastPart<Dim> least =
+          least_part(Hand<Dim>(std::move(contacts), hand.center(), 1, hand.mechanism()), 1,
+                     given.at(asked_.up), given.weight);
+      if (least.state == dual::Balance<Dim>::State::held &&
+          least.part * strength_ <= nothing * given.weight)
+        greatest_ = hold_without_limits(asked_);
+      else
+        cut({least.y, least.rates});
+    }
     if (greatest_.holdable) {
       range_.greatest.weight = infinity;
       return;
     }
-    cut(greatest_.dual);
+    cut({greatest_.dual, greatest_.rates});
     Twist<Dim> y = Twist<Dim>::Zero();
     y.template head<Dim>() = asked_.up;
-    cut(y);
+    cut({y, {}});
   }
 
   bool find_least() {
     WeightEnd<Dim>& end = range_.least;
-    least_ = poise::hold<Dim>(asked_.hand, Wrench<Dim>(Wrench<Dim>::Zero()), asked_.load.weight,
-                              Twist<Dim>::Zero(), asked_.settings);
+    const Wrench<Dim> none = Wrench<Dim>::Zero();
+    Proof<Dim> proof;
+    if (!asked_.needs_too_much(none, asked_.load.weight, 1, proof)) {
+      least_ = poise::hold<Dim>(asked_.hand, none, asked_.load.weight, Twist<Dim>::Zero(),
+                                {asked_.settings.force_cap});
+      proof = {least_.dual, least_.rates};
+    }
     from_zero_ = least_.holdable;
     if (from_zero_) {
       end.bound = 0;
       end.dual.setZero();
+      end.rates.resize(0);
       return true;
     }
-    cut(least_.dual);
+    cut(std::move(proof));
     double step = wanted;
     for (int k = 0; k < most_probes && end.bound > 0 && step < 1 && !empty(); ++k) {
       const double weight = end.bound * (1 + step);
@@ -249,10 +421,22 @@ class WeightSearch {
     least_ = greatest_ = std::move(hold);
   }
 
-  /// What is held at an end; where any weight is held, the given one.
+  /// What is held at an end; where any weight is held, the given one as any other: contacts with a
+  /// limit have no part in it.
   void complete(WeightEnd<Dim>& end, Hold<Dim>& hold) const {
-    const bool any = end.weight == infinity;
-    end.posture = asked_.posture(std::move(hold), any ? asked_.load.weight : end.weight);
+    const Hand<Dim>& hand = asked_.hand;
+    if (end.weight < infinity || !hold.holdable) {
+      end.posture = asked_.posture(std::move(hold), end.weight, hand);
+      return;
+    }
+    std::vector<Contact<Dim>> contacts = hand.contacts();
+    for (Contact<Dim>& contact : contacts) {
+      contact.min_normal = 0;
+      if (std::isfinite(contact.max_normal)) contact.max_normal = 0;
+    }
+    end.posture =
+        asked_.posture(std::move(hold), asked_.load.weight,
+                       Hand<Dim>(std::move(contacts), hand.center(), 1, hand.mechanism()));
   }
 
   const Question<Dim>& asked_;
@@ -272,7 +456,7 @@ class FrictionSearch {
   LeastFriction<Dim> run() {
     probe(1);
     if (!probe(0)) narrow();
-    found_.posture = asked_.posture(std::move(hold_), asked_.load.weight);
+    found_.posture = asked_.posture(std::move(hold_), asked_.load.weight, asked_.hand);
     return std::move(found_);
   }
 
@@ -301,10 +485,10 @@ class FrictionSearch {
 
   bool probe(double factor) {
     if (!(factor < found_.factor)) return true;
-    Hold<Dim> there =
-        asked_.hold(asked_.hand.scaled().with_friction(factor), asked_.load.weight, factor);
-    if (!there.holdable) {
-      cut(there.dual);
+    Hold<Dim> there;
+    Proof<Dim> proof;
+    if (!asked_.holds(asked_.load.weight, factor, there, proof)) {
+      cut(std::move(proof));
       failed_ = std::max({failed_, factor, found_.bound});
       return false;
     }
@@ -313,13 +497,19 @@ class FrictionSearch {
     return true;
   }
 
-  void cut(Twist<Dim> y) {
-    y /= std::max(y.template lpNorm<Eigen::Infinity>(), std::numeric_limits<double>::min());
-    const std::vector<Slide> z = slides(asked_.hand, y);
-    const Real weight = asked_.load.weight, needed = weight * asked_.driven(y);
-    const auto proves = [&](double factor) {  // less and less the more friction there is
-      const Power most = power(asked_.hand, z, factor);
+  void cut(Proof<Dim> proof) {
+    const double size =
+        std::max(proof.y.template lpNorm<Eigen::Infinity>(), std::numeric_limits<double>::min());
+    proof.y /= size;
+    for (double& rate : proof.rates) rate /= size;
+    const Real weight = asked_.load.weight, needed = weight * asked_.driven(proof.y);
+    const auto does = [&](const Proof<Dim>& with, double factor) {
+      const Power most = asked_.power(with, factor);
       return needed > most.fixed + asked_.settings.force_cap * weight * most.growing;
+    };
+    const auto proves = [&](double factor) {  // less and less the more friction there is
+      return does(proof, factor) ||
+             (asked_.limited_drives && does(asked_.eased(proof, factor), factor));
     };
     if (!proves(found_.bound)) return;
     double from = found_.bound, to = most_friction;
@@ -329,7 +519,9 @@ class FrictionSearch {
       if (middle <= from || middle >= to) break;
     }
     found_.bound = from;
-    found_.dual = y;
+    if (!does(proof, from)) proof = asked_.eased(std::move(proof), from);
+    found_.dual = proof.y;
+    found_.rates = proof.rates;
   }
 
   const Question<Dim>& asked_;
@@ -338,27 +530,50 @@ class FrictionSearch {
   Hold<Dim> hold_;
 };
 
+/// The hold of least grip with a safety factor on the friction; of least effort without a grip.
+template <int Dim>
+Posture<Dim> safe_posture(const Question<Dim>& asked, double safety) {
+  const Hand<Dim>& hand = asked.hand;
+  if (!has_grip(hand))
+    return asked.posture(
+        asked.hold(hand.scaled().with_friction(1 / safety), asked.load.weight, 1 / safety),
+        asked.load.weight, hand);
+  const Hand<Dim> safe(hand.contacts(), hand.center(), safety, hand.mechanism());
+  const Load<Dim> load{.weight = asked.load.weight, .com = asked.load.com};
+  return asked.posture(
+      least_grip(safe, load, asked.up,
+                 {.force_cap = asked.settings.force_cap, .objective = Objective::grip}),
+      load.weight, hand);
+}
+
 }  // namespace
 
 template <int Dim>
 WeightRange<Dim> weight_range(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
                               const HoldSettings& settings) {
-  check_plain(hand);
-  const Question<Dim> asked{hand, load, up, settings};
+  const Question<Dim> asked(hand, load, up, settings);
   return WeightSearch<Dim>(asked).run();
 }
 
 template <int Dim>
 std::vector<Deciding> deciding(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
-                               const Twist<Dim>& dual, const HoldSettings& settings) {
-  return deciding_by(Question<Dim>{hand, load, up, settings}, dual);
+                               const Twist<Dim>& dual, const SmallVector<double, 4>& rates,
+                               const HoldSettings& settings) {
+  return deciding_by<Dim>({hand, load, up, settings}, {dual, rates});
+}
+
+template <int Dim>
+std::vector<double> deciding_drives(const Hand<Dim>& hand, const Load<Dim>& load,
+                                    const Vector<Dim>& up, const Twist<Dim>& dual,
+                                    const SmallVector<double, 4>& rates,
+                                    const HoldSettings& settings) {
+  return drives_by<Dim>({hand, load, up, settings}, {dual, rates});
 }
 
 template <int Dim>
 LeastFriction<Dim> least_friction(const Hand<Dim>& hand, const Load<Dim>& load,
                                   const Vector<Dim>& up, const HoldSettings& settings) {
-  check_plain(hand);
-  const Question<Dim> asked{hand, load, up, settings};
+  const Question<Dim> asked(hand, load, up, settings);
   return FrictionSearch<Dim>(asked).run();
 }
 
@@ -366,18 +581,20 @@ template <int Dim>
 Capacity<Dim> capacity(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
                        double safety, const HoldSettings& settings) {
   if (!(safety >= 1) || !std::isfinite(safety)) throw InvalidGrasp("safety", "must be at least 1");
-  check_plain(hand);
-  const Question<Dim> asked{hand, load, up, settings};
-  Hold<Dim> safe = asked.hold(hand.scaled().with_friction(1 / safety), load.weight, 1 / safety);
-  return {weight_range(hand, load, up, settings), least_friction(hand, load, up, settings),
-          asked.posture(std::move(safe), load.weight)};
+  const Question<Dim> asked(hand, load, up, settings);
+  return {WeightSearch<Dim>(asked).run(), FrictionSearch<Dim>(asked).run(),
+          safe_posture(asked, safety)};
 }
 
 #define POISE_INSTANTIATE(Dim)                                                                    \
   template WeightRange<Dim> weight_range(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&,  \
                                          const HoldSettings&);                                    \
   template std::vector<Deciding> deciding(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&, \
-                                          const Twist<Dim>&, const HoldSettings&);                \
+                                          const Twist<Dim>&, const SmallVector<double, 4>&,       \
+                                          const HoldSettings&);                                   \
+  template std::vector<double> deciding_drives(                                                   \
+      const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&, const Twist<Dim>&,                  \
+      const SmallVector<double, 4>&, const HoldSettings&);                                        \
   template LeastFriction<Dim> least_friction(const Hand<Dim>&, const Load<Dim>&,                  \
                                              const Vector<Dim>&, const HoldSettings&);            \
   template Capacity<Dim> capacity(const Hand<Dim>&, const Load<Dim>&, const Vector<Dim>&, double, \

@@ -89,7 +89,8 @@ Vector<Dim> middle(const Contact<Dim>& contact) {
 
 /// What effort a unit of the scaled grip is to a drive [N, or N m].
 template <int Dim>
-double drive_unit(const Hand<Dim>& hand, const Drive<Dim>& drive, GripUnit unit, double weight) {
+double drive_unit(const Hand<Dim>& hand, const typename Driven<Dim>::Limit& drive, GripUnit unit,
+                  double weight) {
   return unit == GripUnit::part_of_max ? drive.max
          : drive.turns                 ? weight * hand.scaled().length
                                        : weight;
@@ -101,15 +102,17 @@ GripUnit unit_for(const Hand<Dim>& hand, dual::Wanted wanted) {
   return wanted == dual::Wanted::grip ? grip_unit(hand) : GripUnit::newton;
 }
 
-void write_contact(const Contact<2>& contact, double normal, const PartForce<2>* parts,
-                   std::size_t count, double weight, ContactForce<2>& force) {
+void write_contact(const Contact<2>& contact, double mu, double normal, const PartForce<2>* parts,
+                   std::size_t count, double weight, ContactForce<2>& force,
+                   std::vector<Vector<3>>&) {
   force.normal = normal;
   force.tangential = count == 0 ? 0 : weight * parts[0][0];
-  force.friction_used = std::abs(force.tangential) / (contact.friction * normal);
+  force.friction_used = std::abs(force.tangential) / (mu * normal);
 }
 
-void write_contact(const Contact<3>& contact, double normal, const PartForce<3>* parts,
-                   std::size_t count, double weight, ContactForce<3>& force) {
+void write_contact(const Contact<3>& contact, double mu, double normal, const PartForce<3>* parts,
+                   std::size_t count, double weight, ContactForce<3>& force,
+                   std::vector<Vector<3>>& pad_forces) {
   const Eigen::Matrix<double, 3, 2> tangent = tangents(contact.normal);
   const auto tangential = [&](std::size_t k) -> Vector<3> {
     return weight * tangent * parts[k].head<2>();
@@ -123,20 +126,20 @@ void write_contact(const Contact<3>& contact, double normal, const PartForce<3>*
     force.tangential = tangential(0);
     if (contact.torsion > 0)
       force.torsion_moment = weight * parts[0][2] * contact.torsion / contact.friction;
-    force.friction_used = weight * parts[0].norm() / (contact.friction * normal);
+    force.friction_used = weight * parts[0].norm() / (mu * normal);
     return;
   }
   const dual::PadFrame frame(contact);
   std::size_t k = 0;
   double used = 0;
-  if (contact.friction > 0)
-    for (const Vector<3>& point : contact.pad->points) {
-      const Vector<3> t = tangential(k++);
-      force.tangential += t;
-      force.torsion_moment += contact.normal.dot(point.cross(t));
-      used += t.norm();
-    }
-  force.friction_used = used / (contact.friction * normal);
+  for (const Vector<3>& point : contact.pad->points) {
+    const Vector<3> t = mu > 0 ? tangential(k++) : Vector<3>::Zero();
+    pad_forces.push_back(t);
+    force.tangential += t;
+    force.torsion_moment += contact.normal.dot(point.cross(t));
+    used += t.norm();
+  }
+  force.friction_used = used / (mu * normal);
   force.center_of_pressure = frame.mean;
   for (std::size_t c = 0; c < 2; ++c) {
     if (!(frame.reach[c] > 0)) continue;
@@ -164,16 +167,16 @@ dual::ConeHand<Dim> cone_hand(const Hand<Dim>& hand, double weight, dual::Wanted
                               hand.finger_of(i)});
   }
   const GripUnit unit = unit_for(hand, wanted);
-  for (const Drive<Dim>& drive : hand.drives()) {
-    if (wanted == dual::Wanted::effort && !std::isfinite(drive.max)) continue;
+  const Driven<Dim>& driven = hand.driven();
+  auto moved = driven.moved.begin();
+  for (std::size_t a = 0; a < driven.drives.size(); ++a) {
+    const auto& drive = driven.drives[a];
     const double scale = weight / drive_unit(hand, drive, unit, weight);
     dual::ConeDrive<Dim> moves{{}, drive.max * scale / weight};
-    for (const auto& moved : drive.moves) {
-      const auto finger = std::find(hand.fingers().begin(), hand.fingers().end(), moved.finger);
-      moves.moved.push_back({static_cast<std::size_t>(finger - hand.fingers().begin()),
-                             scale * about_center(scaled, 1, moved.twist)});
-    }
-    cones.drives.push_back(std::move(moves));
+    for (; moved != driven.moved.end() && moved->drive == a; ++moved)
+      moves.moved.push_back({moved->finger, scale * about_center(scaled, 1, moved->twist)});
+    if (wanted == dual::Wanted::grip || std::isfinite(drive.max))
+      cones.drives.push_back(std::move(moves));
   }
   return cones;
 }
@@ -193,11 +196,12 @@ double scaled_grip(const Hand<Dim>& hand, double weight) {
 
 template <int Dim>
 void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Dim>& cones,
-                   const dual::Balance<Dim>& balance, Hold<Dim>& hold) {
+                   const dual::Balance<Dim>& balance, Hold<Dim>& hold, double friction_factor) {
   const double moment = balance.residual.template tail<wrench_size<Dim> - Dim>().norm();
   hold.residual =
       std::max(balance.residual.template head<Dim>().norm(), hand.radius() > 0 ? moment : 0);
   hold.forces.resize(hand.contacts().size());
+  hold.pad_forces.clear();
   double square = 0;
   for (std::size_t i = 0; i < hand.contacts().size(); ++i) {
     const Contact<Dim>& contact = hand.contacts()[i];
@@ -207,9 +211,10 @@ void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Di
     square += cone.weight * normal * normal;
     for (std::size_t k = cone.first; k < cone.last; ++k)
       square += cones.parts[k].weight * balance.tangentials[k].squaredNorm();
-    write_contact(contact, weight * normal, balance.tangentials.data() + cone.first,
-                  cone.last - cone.first, weight, force);
-    const bool loaded = normal > at_limit, frictionless = contact.friction == 0;
+    const double mu = contact.friction * friction_factor;
+    write_contact(contact, mu, weight * normal, balance.tangentials.data() + cone.first,
+                  cone.last - cone.first, weight, force, hold.pad_forces);
+    const bool loaded = normal > at_limit, frictionless = mu == 0;
     if (!loaded || frictionless) force.friction_used = loaded ? 1 : 0;
     force.friction_used = std::min(force.friction_used, 1.0);
     force.state = !loaded                               ? ContactState::unloaded
@@ -231,7 +236,7 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
   Hold<Dim> hold;
   const double cap = settings.force_cap * weight;
   hold.dual = about_origin(scaled, weight, found.y);
-  const std::vector<Drive<Dim>> drives = hand.drives();
+  const auto& drives = hand.driven().drives;
   hold.rates.resize(drives.size());
   std::size_t limited = 0;
   for (std::size_t a = 0; a < drives.size(); ++a) {
@@ -243,11 +248,12 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
   hold.holdable = found.state != State::not_held && found.error <= most_error &&
                   2 * found.value <= settings.force_cap * settings.force_cap;
   if (hold.holdable) {
-    write_balance(hand, weight, cones, found, hold);
+    write_balance(hand, weight, cones, found, hold, friction_factor);
     hold.holdable = hold.residual <= most_error;
   }
   if (!hold.holdable) {
     hold.forces.resize(0);
+    hold.pad_forces.clear();
     hold.effort = 0;
     // As long as a bound above the cap needs: the dual rises by 1 for each length of y, in the
     // solver's units.
@@ -263,12 +269,64 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
   return hold;
 }
 
-#define POISE_INSTANTIATE(Dim)                                                            \
-  template dual::ConeHand<Dim> cone_hand(const Hand<Dim>&, double, dual::Wanted, double); \
-  template double scaled_grip(const Hand<Dim>&, double);                                  \
-  template void write_balance(const Hand<Dim>&, double, const dual::ConeHand<Dim>&,       \
-                              const dual::Balance<Dim>&, Hold<Dim>&);                     \
-  template Hold<Dim> general_hold(const Hand<Dim>&, double, const Wrench<Dim>&, double,   \
+/// A contact's limit is that of a drive that moves it alone along its normal. So all limits are
+/// those of drives, counted in parts, and what is asked for is the least grip.
+template <int Dim>
+LeastPart<Dim> least_part(const Hand<Dim>& hand, double friction_factor, const Wrench<Dim>& load,
+                          double weight) {
+  const ScaledHand<Dim>& scaled = hand.scaled();
+  const dual::ConeHand<Dim> given = cone_hand(hand, weight, dual::Wanted::effort, friction_factor);
+  dual::ConeHand<Dim> cones{given.fingers, {}, {}, given.drives};
+  double least_max = infinity;  // F is counted in this, to be of the size of the load
+  for (const dual::ConeDrive<Dim>& drive : given.drives) least_max = std::min(least_max, drive.max);
+  for (const Contact<Dim>& contact : hand.contacts())
+    if (contact.max_normal > 0) least_max = std::min(least_max, contact.max_normal / weight);
+  for (dual::ConeDrive<Dim>& drive : cones.drives)
+    for (auto& moved : drive.moved) moved.twist *= least_max / drive.max;
+  for (std::size_t i = 0; i < given.contacts.size(); ++i) {
+    const Contact<Dim>& contact = hand.contacts()[i];
+    if (contact.max_normal == 0) continue;
+    ConeContact<Dim> cone = given.contacts[i];
+    const auto parts = given.parts.begin();
+    cones.parts.insert(cones.parts.end(), parts + static_cast<std::ptrdiff_t>(cone.first),
+                       parts + static_cast<std::ptrdiff_t>(cone.last));
+    cone.first = cones.parts.size() - (cone.last - cone.first);
+    cone.last = cones.parts.size();
+    cone.hi = infinity;
+    if (std::isfinite(contact.max_normal)) {
+      for (dual::ConeDrive<Dim>& drive : cones.drives)
+        for (std::size_t k = drive.moved.size(); k-- > 0;)
+          if (drive.moved[k].finger == cone.finger)
+            drive.moved.push_back({cones.fingers, drive.moved[k].twist});
+      cone.finger = cones.fingers++;
+      Twist<Dim> along = Twist<Dim>::Zero();
+      along.template head<Dim>() = least_max * weight / contact.max_normal * contact.normal;
+      cones.drives.push_back({{{cone.finger, along}}, 0});
+    }
+    cones.contacts.push_back(cone);
+  }
+  const dual::Balance<Dim> found =
+      dual::balance(cones, scaled_wrench(scaled, weight, load), dual::Wanted::grip);
+  LeastPart<Dim> least{
+      found.state, found.value / least_max, about_origin(scaled, 1 / weight, found.y), {}};
+  const std::vector<Drive<Dim>> drives = hand.drives();
+  least.rates.resize(drives.size());
+  std::size_t limited = 0;
+  for (std::size_t a = 0; a < drives.size(); ++a) {
+    const bool is_limited = std::isfinite(drives[a].max);
+    const double rate = is_limited ? found.rates[limited++] * least_max / drives[a].max : 0;
+    least.rates[a] = found.state == dual::Balance<Dim>::State::not_held ? 0 : rate;
+  }
+  return least;
+}
+
+#define POISE_INSTANTIATE(Dim)                                                              \
+  template dual::ConeHand<Dim> cone_hand(const Hand<Dim>&, double, dual::Wanted, double);   \
+  template double scaled_grip(const Hand<Dim>&, double);                                    \
+  template void write_balance(const Hand<Dim>&, double, const dual::ConeHand<Dim>&,         \
+                              const dual::Balance<Dim>&, Hold<Dim>&, double);               \
+  template LeastPart<Dim> least_part(const Hand<Dim>&, double, const Wrench<Dim>&, double); \
+  template Hold<Dim> general_hold(const Hand<Dim>&, double, const Wrench<Dim>&, double,     \
                                   const HoldSettings&);
 POISE_INSTANTIATE(2)
 POISE_INSTANTIATE(3)

@@ -20,7 +20,24 @@ double scaled_grip(const Hand<Dim>& hand, double weight);
 /// The forces of what was found, with their states, residual and effort.
 template <int Dim>
 void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Dim>& cones,
-                   const dual::Balance<Dim>& balance, Hold<Dim>& hold);
+                   const dual::Balance<Dim>& balance, Hold<Dim>& hold, double friction_factor = 1);
+
+/// How much of their limits drives and contacts use at least: the greatest part of `max` or
+/// `max_normal` that any of them gives.
+template <int Dim>
+struct LeastPart {
+  typename dual::Balance<Dim>::State state;  ///< open: all the same (y, rates) may prove something
+  double part;
+  /// For all parts p with which the load is balanced,
+  /// p (sum of rates . max + what contacts with max_normal can do) + what those with min_normal
+  /// must do >= y . load, y about the object frame's origin.
+  Twist<Dim> y;
+  SmallVector<double, 4> rates;  ///< of the drives, per newton or newton metre of max
+};
+/// That of a hand in which something is limited.
+template <int Dim>
+LeastPart<Dim> least_part(const Hand<Dim>& hand, double friction_factor, const Wrench<Dim>& load,
+                          double weight);
 
 /// The hold of least effort of a hand that is_general().
 template <int Dim>

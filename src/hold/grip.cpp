@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string>
 
 #include "dual/exact.hpp"
+#include "dual/grip_ascent.hpp"
 #include "dual/twist.hpp"
 #include "hold/cone_hand.hpp"
 #include "hold/solve.hpp"
@@ -19,12 +19,13 @@ constexpr double room = 1e-8;
 /// Of forces that are as good as balanced, and of a value as good as proven.
 constexpr double most_error = 1e-6;
 /// An imbalance [weights] that is as good as none, and one that is not.
-constexpr double fair = 1e-12, balanced = 1e-9;
+constexpr double fair = 1e-10, balanced = 1e-9;
 
 /// Those of the fingers, about the object frame's origin [N, N m].
 template <int Dim>
-std::vector<Wrench<Dim>> finger_wrenches(const Hand<Dim>& hand, const Hold<Dim>& hold) {
-  std::vector<Wrench<Dim>> wrenches(hand.fingers().size(), Wrench<Dim>::Zero());
+SmallVector<Wrench<Dim>, 8> finger_wrenches(const Hand<Dim>& hand, const Hold<Dim>& hold) {
+  SmallVector<Wrench<Dim>, 8> wrenches(hand.fingers().size());
+  for (Wrench<Dim>& wrench : wrenches) wrench.setZero();
   for (std::size_t i = 0; i < hold.forces.size(); ++i) {
     const Contact<Dim>& contact = hand.contacts()[i];
     const ContactForce<Dim>& force = hold.forces[i];
@@ -41,45 +42,24 @@ std::vector<Wrench<Dim>> finger_wrenches(const Hand<Dim>& hand, const Hold<Dim>&
   return wrenches;
 }
 
-/// Of the drives of a hand, the efforts [N, N m] of the wrenches of its fingers.
-template <int Dim>
-double effort_of(const Hand<Dim>& hand, const Drive<Dim>& drive,
-                 const std::vector<Wrench<Dim>>& wrenches) {
-  double effort = 0;
-  for (const auto& moved : drive.moves)
-    for (std::size_t k = 0; k < wrenches.size(); ++k)
-      if (hand.fingers()[k] == moved.finger) effort += moved.twist.dot(wrenches[k]);
-  return effort;
-}
-
-/// Drives whose efforts are compared as they are.
-template <int Dim>
-bool are_alike(const std::vector<Drive<Dim>>& drives) {
-  return std::all_of(drives.begin(), drives.end(), [&](const Drive<Dim>& drive) {
-    return drive.turns == drives.front().turns && drive.max == drives.front().max;
-  });
-}
-
 /// Why a hand has no grip.
 template <int Dim>
-std::optional<InvalidGrasp> problem_of(const Hand<Dim>& hand) {
-  if (hand.mechanism().kind != DriveKind::listed)
+InvalidGrasp problem_of(const Hand<Dim>& hand) {
+  if (!hand.driven().closing)
     for (std::size_t k = 0; k < hand.fingers().size(); ++k)
       if (hand.closing(k).isZero(0))
         return InvalidGrasp("fingers." + hand.fingers()[k] + ".closing",
                             "must be given: the normals of its contacts cancel each other");
   const std::vector<Drive<Dim>> drives = hand.drives();
-  if (are_alike(drives)) return {};
-  for (std::size_t a = 0; a < drives.size(); ++a)
-    if (!std::isfinite(drives[a].max))
-      return hand.mechanism().kind == DriveKind::listed
-                 ? InvalidGrasp("drives[" + std::to_string(a) + "].max",
-                                "must be given: the drives are of different kinds, or have "
-                                "different max")
-                 : InvalidGrasp("fingers." + drives[a].name + ".max_force",
-                                "must be given, as another finger has one: the grip is counted in "
-                                "parts of them");
-  return {};
+  const auto a = std::find_if(drives.begin(), drives.end(),
+                              [](const Drive<Dim>& drive) { return !std::isfinite(drive.max); });
+  return hand.mechanism().kind == DriveKind::listed
+             ? InvalidGrasp("drives[" + std::to_string(a - drives.begin()) + "].max",
+                            "must be given: the drives are of different kinds, or have "
+                            "different max")
+             : InvalidGrasp("fingers." + a->name + ".max_force",
+                            "must be given, as another finger has one: the grip is counted in "
+                            "parts of them");
 }
 
 /// Whether forces balance the load within their limits.
@@ -92,6 +72,14 @@ bool is_fair(const Hand<Dim>& hand, double weight, const Hold<Dim>& hold) {
            normal <= hand.contacts()[i].max_normal + near;
   }
   return fair;
+}
+
+/// What (y, rates) of a hold prove.
+template <int Dim>
+void write_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double cap, Hold<Dim>& hold) {
+  hold.objective = Objective::grip;
+  hold.grip = grip(hand, hold);
+  hold.lower_bound = std::clamp(grip_bound(hand, load, hold.dual, hold.rates, cap), 0.0, hold.grip);
 }
 
 /// Whether it can be held at all, where the grip's search ended without an answer to all digits.
@@ -114,6 +102,29 @@ Hold<Dim> unlimited_hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double 
   return none;
 }
 
+/// The hold of least grip with its proof, by ascent. False where that leaves it open.
+template <int Dim>
+bool ascend(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight,
+            const HoldSettings& settings, Hold<Dim>& hold) {
+  const Driven<Dim>& driven = hand.driven();
+  if (!driven.apart) return false;
+  const dual::Problem<Dim> problem(hand.scaled(), weight);
+  const Wrench<Dim> w = scaled_wrench(problem.hand, weight, load);
+  dual::Point<Dim> held(problem.size);
+  if (!dual::maximise(problem, w, dual::cold_start(problem, w), settings.force_cap, held)) {
+    write_proof(problem, held, settings, hold);
+    return true;
+  }
+  dual::LeastGrip<Dim> found(problem.size);
+  if (!dual::least_grip(problem, driven, w, held, found)) return false;
+  write_point(problem, found.point, hold);
+  hold.dual = about_origin(problem.hand, scaled_grip(hand, weight) / weight, found.y);
+  hold.rates.resize(found.rates.size());
+  std::copy(found.rates.begin(), found.rates.end(), hold.rates.begin());
+  write_grip(hand, load, settings.force_cap * weight, hold);
+  return true;
+}
+
 }  // namespace
 
 const char* to_string(GripUnit unit) {
@@ -128,31 +139,33 @@ const char* to_string(Objective objective) {
 
 template <int Dim>
 bool has_grip(const Hand<Dim>& hand) {
-  return !problem_of(hand);
+  return hand.driven().has_grip();
 }
 
 template <int Dim>
 GripUnit grip_unit(const Hand<Dim>& hand) {
-  if (const auto problem = problem_of(hand)) throw *problem;
-  const std::vector<Drive<Dim>> drives = hand.drives();
-  if (!are_alike(drives)) return GripUnit::part_of_max;
-  return drives.front().turns ? GripUnit::newton_metre : GripUnit::newton;
+  const Driven<Dim>& driven = hand.driven();
+  if (!driven.has_grip()) throw problem_of(hand);
+  if (!driven.alike) return GripUnit::part_of_max;
+  return driven.drives[0].turns ? GripUnit::newton_metre : GripUnit::newton;
 }
 
 template <int Dim>
 double most_grip(const Hand<Dim>& hand) {
-  return grip_unit(hand) == GripUnit::part_of_max ? 1 : hand.drives().front().max;
+  return grip_unit(hand) == GripUnit::part_of_max ? 1 : hand.driven().drives[0].max;
 }
 
 template <int Dim>
 std::vector<DriveEffort> drive_efforts(const Hand<Dim>& hand, const Hold<Dim>& hold) {
-  std::vector<DriveEffort> efforts;
-  if (!hold.holdable) return efforts;
-  const std::vector<Wrench<Dim>> wrenches = finger_wrenches(hand, hold);
-  for (const Drive<Dim>& drive : hand.drives()) {
-    const double effort = effort_of(hand, drive, wrenches);
-    efforts.push_back({effort, std::isfinite(drive.max) ? effort / drive.max : 0});
-  }
+  if (!hold.holdable) return {};
+  const Driven<Dim>& driven = hand.driven();
+  std::vector<DriveEffort> efforts(driven.drives.size());
+  const auto wrenches = finger_wrenches(hand, hold);
+  for (const auto& moved : driven.moved)
+    efforts[moved.drive].effort += moved.twist.dot(wrenches[moved.finger]);
+  for (std::size_t a = 0; a < efforts.size(); ++a)
+    if (const double max = driven.drives[a].max; std::isfinite(max))
+      efforts[a].part_of_max = efforts[a].effort / max;
   return efforts;
 }
 
@@ -180,6 +193,7 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
   if (!(weight > 0)) throw InvalidGrasp("weight", "must be above 0");
   using State = typename dual::Balance<Dim>::State;
   const double unit = scaled_grip(hand, weight), cap = settings.force_cap * weight;
+  if (Hold<Dim> hold; ascend(hand, load, weight, settings, hold)) return hold;
   const ScaledHand<Dim>& scaled = hand.scaled();
   const Wrench<Dim> w = scaled_wrench(scaled, weight, load);
   dual::ConeHand<Dim> cones = cone_hand(hand, weight, dual::Wanted::grip);
@@ -189,15 +203,19 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
     if (!hold.holdable) return hold;
   }
 
-  // Of the forces of this grip those of least effort.
-  dual::Balance<Dim> forces = least;
+  // Of the forces of this grip those of least effort, but for digits that nobody needs.
   for (dual::ConeDrive<Dim>& drive : cones.drives) drive.max = least.value * (1 + room) + 1e-12;
-  if (dual::Balance<Dim> found = dual::balance(cones, w, dual::Wanted::effort);
-      found.state == State::held && found.residual.norm() <= std::max(least.residual.norm(), fair))
-    forces = std::move(found);
+  const dual::Balance<Dim> found = dual::quick_balance(cones, w, dual::Wanted::effort);
   Hold<Dim> hold;
   hold.holdable = true;
-  write_balance(hand, weight, cones, forces, hold);
+  write_balance(hand, weight, cones, least, hold);
+  if (found.state != State::not_held && found.error <= most_error &&
+      found.residual.norm() <= std::max(least.residual.norm(), fair)) {
+    Hold<Dim> easier = hold;
+    write_balance(hand, weight, cones, found, easier);
+    if (grip(hand, easier) <= grip(hand, hold) * (1 + 4 * room) + 1e-12 * unit)
+      hold = std::move(easier);
+  }
   // Where nothing has an inside, or takes more than the cap, the least effort decides.
   if (hold.effort > cap * cap || !is_fair(hand, weight, hold)) {
     hold = poise::hold(hand, load, weight, Twist<Dim>(Twist<Dim>::Zero()),
@@ -205,13 +223,11 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
     if (!hold.holdable) return hold;
   }
 
-  hold.objective = Objective::grip;
   const dual::GripCut<Dim> cut = dual::grip_cut(cones, least, settings.force_cap);
   hold.rates.resize(cut.rates.size());
   for (std::size_t a = 0; a < cut.rates.size(); ++a) hold.rates[a] = cut.rates[a] / cut.rate_sum;
   hold.dual = about_origin(scaled, unit / weight / cut.rate_sum, cut.y);
-  hold.grip = grip(hand, hold);
-  hold.lower_bound = std::clamp(grip_bound(hand, load, hold.dual, hold.rates, cap), 0.0, hold.grip);
+  write_grip(hand, load, cap, hold);
   return hold;
 }
 

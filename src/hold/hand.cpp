@@ -242,6 +242,7 @@ Hand<Dim>::Hand(std::vector<Contact<Dim>> contacts, const Vector<Dim>& center, d
           {"torsion", i}, "at most 1e12 times friction times the size of the grasp");
   check_mechanism();
   scaled_ = std::make_shared<const Scaled>(contacts_, center_, radius_);
+  driven_ = std::make_shared<const Driven>(*this);
 }
 
 template <int Dim>

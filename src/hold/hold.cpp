@@ -111,14 +111,6 @@ std::vector<FingerForce<Dim>> finger_forces(const Hand<Dim>& hand, const Hold<Di
 }
 
 template <int Dim>
-double grip_force(const Hand<Dim>& hand, const Hold<Dim>& hold) {
-  double most = 0;
-  for (const FingerForce<Dim>& finger : finger_forces(hand, hold))
-    most = std::max(most, finger.normal);
-  return most;
-}
-
-template <int Dim>
 bool all_loaded(const Hand<Dim>& hand, const Hold<Dim>& hold, double weight) {
   const auto fingers = finger_forces(hand, hold);
   return std::all_of(fingers.begin(), fingers.end(), [&](const FingerForce<Dim>& finger) {
@@ -206,7 +198,6 @@ const char* to_string(ForceLimit limit) {
   template double phi(const Hand<Dim>&, const Twist<Dim>&);                                 \
   template double bound(const Hand<Dim>&, const Wrench<Dim>&, const Twist<Dim>&);           \
   template std::vector<FingerForce<Dim>> finger_forces(const Hand<Dim>&, const Hold<Dim>&); \
-  template double grip_force(const Hand<Dim>&, const Hold<Dim>&);                           \
   template bool all_loaded(const Hand<Dim>&, const Hold<Dim>&, double);                     \
   template bool force_closure(const Hand<Dim>&);
 POISE_INSTANTIATE(2)

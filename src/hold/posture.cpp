@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "hold/solve.hpp"
+
 namespace poise {
 namespace {
 
@@ -33,7 +35,7 @@ const char* to_string(Manner manner) {
 // Straight down from the com meets the hull of the contacts where it points into the cone that they
 // span, seen from the com. From outside the hull they span less than 180 degrees, so one of the
 // gaps between neighbouring directions is wider than that.
-Interval cradled_wedge(const Hand<2>& hand, const Vector<2>& com) {
+Interval fork_wedge(const Hand<2>& hand, const Vector<2>& com) {
   std::vector<Vector<2>> arms;
   double farthest = 0, nearest = std::numeric_limits<double>::infinity();
   for (const Contact<2>& contact : hand.contacts()) {
@@ -64,17 +66,17 @@ Interval cradled_wedge(const Hand<2>& hand, const Vector<2>& com) {
   return {};
 }
 
-bool cradled(const Hand<2>& hand, const Vector<2>& com, const Vector<2>& up) {
-  const Interval wedge = cradled_wedge(hand, com);
-  const double middle = (wedge.from + wedge.to) / 2, half = (wedge.to - wedge.from) / 2;
-  return std::abs(std::remainder(angle_of(up) - middle, 2 * std::numbers::pi)) < half - 1e-12;
-}
-
 template <int Dim>
 Manner manner(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
               const Hold<Dim>& hold) {
-  if (hand.fingers().size() == 1 || !all_loaded(hand, hold, load.weight)) return Manner::resting;
-  return cradled(hand, load.com, up) ? Manner::cradled : Manner::pinched;
+  const std::vector<FingerForce<Dim>> fingers = finger_forces(hand, hold);
+  const auto loaded = std::count_if(fingers.begin(), fingers.end(), [&](const auto& finger) {
+    return finger.normal > at_limit * load.weight;
+  });
+  if (loaded <= 1) return Manner::resting;
+  const bool needs_no_friction =
+      solve<Dim>(hand, hand.scaled().with_friction(0), 0, load, up, {}).holdable;
+  return needs_no_friction ? Manner::cradled : Manner::pinched;
 }
 
 template <int Dim>
@@ -89,7 +91,6 @@ Posture<Dim> posture_of(const Grasp<Dim>& grasp, const Vector<Dim>& up,
     if (value(k) > value(posture.decides)) posture.decides = k;
   if (!posture.holdable()) return posture;
   posture.manner = manner(grasp, grasp.loads()[posture.decides], up, posture.hold());
-  posture.grip_force = grip_force(grasp, posture.hold());
   return posture;
 }
 

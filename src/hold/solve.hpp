@@ -136,23 +136,12 @@ void check_up(const Vector<Dim>& up) {
   if (!(std::abs(up.squaredNorm() - 1) <= 1e-6)) throw InvalidGrasp("up", "must be a unit vector");
 }
 
-/// The hold of a load in the solver's units.
+/// What was found of a load that can be held, but for what proves it.
 template <int Dim>
-Hold<Dim> solve(const dual::Problem<Dim>& problem, const Wrench<Dim>& w, const Twist<Dim>& start,
-                const HoldSettings& settings) {
-  check(settings);
-  dual::Point<Dim> point(problem.size);
-  Hold<Dim> hold;
-  hold.holdable = dual::maximise(problem, w, start, settings.force_cap, point);
-  const double weight = problem.weight, square = weight * weight;
-  hold.dual = about_origin(problem.hand, weight, point.y);
-  if (!hold.holdable) {
-    hold.proven = dual::lower_bound(point) > settings.force_cap * settings.force_cap;
-    // Finite for weights whose square nearly overflows, too.
-    hold.lower_bound =
-        std::min(square * dual::lower_bound(point), std::numeric_limits<double>::max());
-    return hold;
-  }
+void write_point(const dual::Problem<Dim>& problem, const dual::Point<Dim>& point,
+                 Hold<Dim>& hold) {
+  hold.holdable = true;
+  const double weight = problem.weight;
   const double moment = point.residual.template tail<wrench_size<Dim> - Dim>().norm();
   hold.residual =
       std::max(point.residual.template head<Dim>().norm(), problem.hand.radius > 0 ? moment : 0);
@@ -169,9 +158,35 @@ Hold<Dim> solve(const dual::Problem<Dim>& problem, const Wrench<Dim>& w, const T
       forces[i].limit =
           limit_of(forces[i].normal, c.lo[k] * c.root[k], c.hi[k] * c.root[k], at_limit * weight);
     }
-  hold.effort = square * dual::squared_norm(point);
+  hold.effort = weight * weight * dual::squared_norm(point);
+}
+
+/// The point that proves that nothing holds.
+template <int Dim>
+void write_proof(const dual::Problem<Dim>& problem, const dual::Point<Dim>& point,
+                 const HoldSettings& settings, Hold<Dim>& hold) {
+  hold.dual = about_origin(problem.hand, problem.weight, point.y);
+  hold.proven = dual::lower_bound(point) > settings.force_cap * settings.force_cap;
+  // Finite for weights whose square nearly overflows, too.
+  hold.lower_bound = std::min(problem.weight * problem.weight * dual::lower_bound(point),
+                              std::numeric_limits<double>::max());
+}
+
+/// The hold of a load in the solver's units.
+template <int Dim>
+Hold<Dim> solve(const dual::Problem<Dim>& problem, const Wrench<Dim>& w, const Twist<Dim>& start,
+                const HoldSettings& settings) {
+  check(settings);
+  dual::Point<Dim> point(problem.size);
+  Hold<Dim> hold;
+  if (!dual::maximise(problem, w, start, settings.force_cap, point)) {
+    write_proof(problem, point, settings, hold);
+    return hold;
+  }
+  write_point(problem, point, hold);
+  hold.dual = about_origin(problem.hand, problem.weight, point.y);
   // A long y may ask more for the load itself than for one within the balance tolerance.
-  hold.lower_bound = std::min(square * 2 * point.value, hold.effort);
+  hold.lower_bound = std::min(problem.weight * problem.weight * 2 * point.value, hold.effort);
   return hold;
 }
 

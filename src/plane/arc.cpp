@@ -110,7 +110,7 @@ bool ArcSolver<T>::solve(const dual::Point<2, T>& point, Reach& reach, Arc& arc)
       const T& largest = of == Of::force ? largest_force : largest_y;
       reach.keep(g.template cast<double>(), rounding_of_faces * static_cast<double>(largest));
     });
-  arc.V = effort();
+  arc.value = effort();
   for (int k = 0; k < 3; ++k)
     arc.y[static_cast<std::size_t>(k)] = {
         static_cast<double>(Y(k, 0)), static_cast<double>(Y(k, 1)), static_cast<double>(Y(k, 2))};

@@ -8,6 +8,7 @@
 #include "dual/twist.hpp"
 #include "plane/arc.hpp"
 #include "plane/harmonic.hpp"
+#include "poise/grip.hpp"
 
 namespace poise {
 namespace {
@@ -16,7 +17,7 @@ using std::numbers::pi;
 
 /// Edges of friction cones at a smaller sine are parallel.
 constexpr double parallel = 1e-9;
-/// The part of the effort that rounding may hide of its proof.
+/// The part of the value that rounding may hide of its proof.
 constexpr double most_rounding = 1e-6;
 
 /// Where the edges meet on which two contacts press; none if they are parallel.
@@ -38,8 +39,8 @@ std::optional<Vector<2>> meeting_point(const Grasp<2>& grasp, const Hold<2>& hol
   return at[0] + cross(at[1] - at[0], edge[1]) / sine * edge[0];
 }
 
-/// The least that y proves between two postures [weights^2]: 2 (y . w(theta) - phi(G^T y)), less
-/// what its rounding may be.
+/// The least that y proves of the effort between two postures [weights^2]: 2 (y . w(theta) -
+/// phi(G^T y)), less what its rounding may be.
 double proven_between(const dual::Problem<2>& problem, const LoadCurve& load, const Twist<2>& y,
                       double from, double to) {
   dual::Point<2> point(problem.size);
@@ -57,30 +58,85 @@ double proven_between(const dual::Problem<2>& problem, const LoadCurve& load, co
   return 2 * from_middle < to - from ? std::min(least, at(trough)) : least;
 }
 
+/// What is proven of the effort of a grasp [N^2].
+class ProvenEffort {
+ public:
+  explicit ProvenEffort(const Grasp<2>& grasp)
+      : problem_(grasp.scaled(), grasp.weight()),
+        load_(load_curve(problem_.hand, problem_.weight, grasp.loads().front())) {}
+
+  double at(const Arc& arc, double theta) const {
+    return between({arc.y[0](theta), arc.y[1](theta), arc.y[2](theta)}, theta, theta);
+  }
+  double at(const Hold<2>& hold, const Interval& gap) const {
+    return between(hold.dual, gap.from, gap.to);
+  }
+
+ private:
+  double between(const Twist<2>& y, double from, double to) const {
+    return problem_.weight * problem_.weight *
+           proven_between(problem_, load_, about_center(problem_.hand, problem_.weight, y), from,
+                          to);
+  }
+
+  dual::Problem<2> problem_;
+  LoadCurve load_;
+};
+
+/// What is proven of the grip of a grasp [grip_unit()].
+class ProvenGrip {
+ public:
+  ProvenGrip(const Grasp<2>& grasp, double force_cap)
+      : grasp_(grasp), cap_(force_cap * grasp.weight()) {}
+
+  double at(const Arc& arc, double theta) const {
+    SmallVector<double, 4> rates(arc.rates->size());
+    std::copy(arc.rates->begin(), arc.rates->end(), rates.begin());
+    return bound({arc.y[0].c0, arc.y[1].c0, arc.y[2].c0}, rates, theta);
+  }
+  /// y . w(theta) is least at an end, or at its trough.
+  double at(const Hold<2>& hold, const Interval& gap) const {
+    const auto at = [&](double theta) { return bound(hold.dual, hold.rates, theta); };
+    const double quarter = pi / 2, start = at(0), side = at(quarter), back = at(pi);
+    const double trough = std::atan2(side - (start + back) / 2, (start - back) / 2) + pi;
+    const double middle = (gap.from + gap.to) / 2;
+    const bool inside = 2 * std::abs(std::remainder(trough - middle, 2 * pi)) < gap.to - gap.from;
+    const double ends = std::min(at(gap.from), at(gap.to));
+    return inside ? std::min(ends, at(trough)) : ends;
+  }
+
+ private:
+  double bound(const Twist<2>& y, const SmallVector<double, 4>& rates, double theta) const {
+    return grip_bound<2>(grasp_, grasp_.loads().front().at(up_at(theta)), y, rates, cap_);
+  }
+
+  const Grasp<2>& grasp_;
+  double cap_;
+};
+
 /// The least that the arcs' own y prove, and those of the postures that rounding left undecided.
-double proven_effort(const Grasp<2>& grasp, const PostureCurve& curve, double force_cap) {
-  const dual::Problem<2> problem(grasp.scaled(), grasp.weight());
-  const LoadCurve load = load_curve(problem.hand, problem.weight, grasp.loads().front());
-  const auto proven = [&](const Twist<2>& y, double from, double to) {
-    return proven_between(problem, load, about_center(problem.hand, problem.weight, y), from, to);
-  };
+template <class Proven>
+double proven_value(const Grasp<2>& grasp, const PostureCurve& curve, double force_cap,
+                    const Proven& proven) {
   double least = std::numeric_limits<double>::infinity();
   for (const Arc& arc : curve.arcs) {
-    // V on an arc is least at its ends or where it is flat.
-    const auto prove_at = [&](double theta) {
-      const Twist<2> y(arc.y[0](theta), arc.y[1](theta), arc.y[2](theta));
-      least = std::min(least, proven(y, theta, theta));
-    };
-    prove_at(arc.from);
-    prove_at(arc.to);
-    for (const Root& root : sign_changes(derivative(arc.V), arc.from, arc.to)) prove_at(root.at);
+    // On an arc the value is least at its ends or where it is flat.
+    least = std::min({least, proven.at(arc, arc.from), proven.at(arc, arc.to)});
+    for (const Root& root : sign_changes(derivative(arc.value), arc.from, arc.to))
+      least = std::min(least, proven.at(arc, root.at));
   }
-  for (const Interval& gap : curve.undecided) {
-    const Hold<2> middle = hold(grasp, up_at((gap.from + gap.to) / 2), {force_cap});
-    least = std::min(least, proven(middle.dual, gap.from, gap.to));
-  }
+  for (const Interval& gap : curve.undecided)
+    least = std::min(
+        least,
+        proven.at(hold(grasp, up_at((gap.from + gap.to) / 2), {force_cap, curve.objective}), gap));
   if (curve.arcs.empty() && curve.undecided.empty()) return 0;
-  return std::max(least, 0.0) * problem.weight * problem.weight;
+  return std::max(least, 0.0);
+}
+
+double proven_value(const Grasp<2>& grasp, const PostureCurve& curve, double force_cap) {
+  return curve.objective == Objective::grip
+             ? proven_value(grasp, curve, force_cap, ProvenGrip(grasp, force_cap))
+             : proven_value(grasp, curve, force_cap, ProvenEffort(grasp));
 }
 
 }  // namespace
@@ -95,16 +151,18 @@ Minimum<2> minimum_at(const Grasp<2>& grasp, const Optimum& optimum,
   Minimum<2> minimum;
   minimum.optimum = optimum;
   const auto hold_at = [&](double angle) {
-    static_cast<Posture<2>&>(minimum) = posture_at(grasp, up_at(angle), {settings.force_cap});
+    static_cast<Posture<2>&>(minimum) =
+        posture_at(grasp, up_at(angle), {settings.force_cap, settings.objective});
   };
   hold_at(optimum.angle);
   // An end of the holdable postures may miss them by rounding.
   for (const double off : {1e-9, -1e-9, 1e-8, -1e-8}) {
     if (minimum.holdable()) break;
     hold_at(optimum.angle + off);
+    minimum.holds.front().residual += std::abs(off);  // against the load as it is at the end
   }
   minimum.up = up_at(optimum.angle);
-  if (minimum.holdable()) minimum.optimum.effort = minimum.effort();
+  if (minimum.holdable()) minimum.optimum.value = minimum.value();
   std::vector<std::size_t> loaded;
   bool slipping = true;
   const auto& forces = minimum.hold().forces;
@@ -133,15 +191,15 @@ Best<2> best_posture(const Grasp<2>& grasp, const CurveSettings& settings) {
     if (!best.pinched && pinched && optimum.kind != Kind::boundary)
       best.pinched = best.minima.size() - 1;
   }
-  best.lower_bound = proven_effort(grasp, curve, settings.force_cap);
+  best.lower_bound = proven_value(grasp, curve, settings.force_cap);
   if (!best.holdable()) {
     best.status = curve.undecided.empty() ? Status::unholdable : Status::gap;
     return best;
   }
-  const double effort = best.best().hold().effort;
-  best.lower_bound = std::min(best.lower_bound, effort);
-  best.relative_gap = (effort - best.lower_bound) / effort;
-  best.status = best.lower_bound >= (1 - most_rounding) * effort ? Status::optimal : Status::gap;
+  const double value = best.best().value();
+  best.lower_bound = std::min(best.lower_bound, value);
+  best.relative_gap = value > 0 ? (value - best.lower_bound) / value : 0;
+  best.status = best.relative_gap <= most_rounding ? Status::optimal : Status::gap;
   return best;
 }
 

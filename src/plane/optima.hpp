@@ -8,6 +8,7 @@
 namespace poise {
 
 /// Local minima and maxima over the closed holdable set, in the order of PostureCurve::optima.
-std::vector<Optimum> optima(const PostureCurve& curve);
+/// `present` [rad]: of ties the least turn from it comes first.
+std::vector<Optimum> optima(const PostureCurve& curve, double present);
 
 }  // namespace poise

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "plane/grip_tracer.hpp"
 #include "plane/optima.hpp"
 #include "plane/tracer.hpp"
 
@@ -30,11 +31,16 @@ void order(const PostureCurve& curve, std::vector<Piece>& pieces) {
 
 /// A posture that holds although its neighbours do not.
 bool add_point(const Grasp<2>& grasp, double force_cap, double at, PostureCurve& curve) {
-  const Hold<2> held = hold(grasp, up_at(at), {force_cap});
+  const Hold<2> held = hold(grasp, up_at(at), {force_cap, curve.objective});
   if (!held.holdable) return false;
   Arc arc;
   arc.from = arc.to = at;
-  arc.V.c0 = held.effort;
+  arc.value.c0 = held.value();
+  if (curve.objective == Objective::grip) {
+    arc.rates.emplace(held.rates.begin(), held.rates.end());
+    for (const ContactForce<2>& force : held.forces)
+      arc.forces.push_back({{force.normal, 0, 0}, {force.tangential, 0, 0}});
+  }
   for (std::size_t k = 0; k < 3; ++k) arc.y[k].c0 = held.dual[static_cast<int>(k)];
   arc.first_state = curve.states.size();
   for (const ContactForce<2>& force : held.forces)
@@ -157,7 +163,7 @@ const char* to_string(Kind kind) {
 
 Interval domain_interval(const Grasp<2>& grasp, Domain domain) {
   if (domain == Domain::all) return {-pi, pi};
-  const Interval wedge = cradled_wedge(grasp, grasp.loads().front().com);
+  const Interval wedge = fork_wedge(grasp, grasp.loads().front().com);
   if (!(wedge.to > wedge.from)) return {-pi, pi};
   return wedge.to < pi ? Interval{wedge.to, wedge.from + 2 * pi}
                        : Interval{wedge.to - 2 * pi, wedge.from};
@@ -166,19 +172,31 @@ Interval domain_interval(const Grasp<2>& grasp, Domain domain) {
 PostureCurve posture_curve(const Grasp<2>& grasp, const CurveSettings& settings) {
   if (grasp.loads().size() > 1)
     throw InvalidGrasp("loads", "must be one: the grasp is in the plane");
-  if (grasp.is_general())
-    throw InvalidGrasp(
-        "drives",
-        "have a max, which in the plane hold alone takes into account: leave it out, "
-        "or give max_normal of the contacts");
-  PostureCurve curve = trace(grasp, settings);
+  const bool is_grip = settings.objective == Objective::grip;
+  if (!is_grip && grasp.is_general())
+    throw InvalidGrasp("drives",
+                       "have a max, which the curve of effort does not take into account: ask for "
+                       "that of grip, leave it out, or give max_normal of the contacts");
+  // What holds at all, without the drives' max, is the same for both.
+  const Grasp<2> free = grasp.is_general() ? Grasp<2>(grasp.loads(), grasp.contacts()) : grasp;
+  PostureCurve curve = trace(free, settings);
   order(curve, curve.unholdable_arcs);
-  add_points(grasp, settings.force_cap, curve);
+  add_points(free, settings.force_cap, curve);
   order(curve, curve.arcs);
   drop_slivers(curve);
   join_arcs(curve);
+  if (is_grip) {
+    curve.objective = Objective::grip;
+    trace_grip(grasp, settings, curve);
+    order(curve, curve.unholdable_arcs);
+    add_points(grasp, settings.force_cap, curve);
+    order(curve, curve.arcs);
+    curve.holdable.clear();
+    drop_slivers(curve);
+    join_arcs(curve);
+  }
   find_undecided(curve);
-  curve.optima = optima(curve);
+  curve.optima = optima(curve, settings.present);
   for (Interval& interval : curve.holdable) {
     const double turns = 2 * pi * std::floor((interval.from + pi) / (2 * pi));
     interval.from -= turns;

@@ -8,6 +8,7 @@
 #include "dual/dual.hpp"
 #include "dual/twist.hpp"
 #include "plane/arc.hpp"
+#include "plane/cover.hpp"
 #include "plane/harmonic.hpp"
 
 namespace poise {
@@ -30,39 +31,15 @@ class Tracer {
 
   PostureCurve trace() {
     const Interval& domain = curve_.domain;
-    if (domain.to - domain.from < 2 * pi) {
-      cover(domain.from, domain.to);
-    } else {  // start with the piece around some posture, and go on from its end to its start
-      constexpr double some = 0.1;
-      const Interval first = piece_at(some, some - pi, some + pi);
-      cover(first.to, first.from + 2 * pi);
-    }
+    const auto piece = [&](double at, double lo, double hi) { return piece_at(at, lo, hi); };
+    if (domain.to - domain.from < 2 * pi)
+      cover(domain.from, domain.to, problem_.size, piece);
+    else
+      cover_circle(problem_.size, piece);
     return std::move(curve_);
   }
 
  private:
-  /// Fills an interval with pieces. Each covers the posture at which it is asked for, so that they
-  /// end.
-  void cover(double from, double to) {
-    std::vector<Interval> open;
-    open.reserve(16);
-    open.push_back({from, to});
-    // There are about 4 arcs for each contact; at the limit of holding, where rounding decides,
-    // there may be no end of them.
-    std::size_t probes = 64 * (problem_.size + 16), fruitless = 200;
-    while (!open.empty() && probes-- > 0) {
-      const auto [lo, hi] = open.back();
-      open.pop_back();
-      if (hi - lo <= same_angle) continue;
-      const Interval piece = piece_at(lo + off_middle * (hi - lo), lo, hi);
-      const bool found = piece.to - piece.from > undecidable;
-      if (!found && (hi - lo < undecidable || fruitless == 0)) continue;
-      if (!found) --fruitless;
-      open.push_back({lo, piece.from});
-      open.push_back({piece.to, hi});
-    }
-  }
-
   /// Adds the arc or unholdable arc around a posture, as far as it goes within lo, hi.
   Interval piece_at(double at, double lo, double hi) {
     Reach reach(at);
@@ -148,14 +125,16 @@ class Tracer {
       if (!solve_with(wide_->solver, wide_->point)) return false;
     }
     const double weight = problem_.weight, square = weight * weight;
-    for (double* c : {&arc.V.c0, &arc.V.cos1, &arc.V.sin1, &arc.V.cos2, &arc.V.sin2}) *c *= square;
+    for (double* c :
+         {&arc.value.c0, &arc.value.cos1, &arc.value.sin1, &arc.value.cos2, &arc.value.sin2})
+      *c *= square;
     std::array<Harmonic1, 3>& y = arc.y;
     const auto to_origin = [&](double Harmonic1::*c) {
       const Twist<2> at = about_origin(problem_.hand, problem_.weight, {y[0].*c, y[1].*c, y[2].*c});
       for (std::size_t row = 0; row < 3; ++row) y[row].*c = at[static_cast<int>(row)];
     };
     for (double Harmonic1::*c : {&Harmonic1::c0, &Harmonic1::cos1, &Harmonic1::sin1}) to_origin(c);
-    keep_below_cap(reach.at, arc.V, reach);
+    keep_below_cap(reach.at, arc.value, reach);
     return true;
   }
 

@@ -72,8 +72,7 @@ double bound_of_level_sets(SearchState& state) {
     const double middle = std::sqrt(least * most);
     (proves(middle) ? least : most) = middle;
   }
-  proves(least);
-  return safe * least;
+  return proves(least) ? safe * least : 0;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dual/exact.hpp"
+#include "dual/grip_ascent.hpp"
 #include "dual/newton.hpp"
 #include "dual/twist.hpp"
 #include "hold/cone_hand.hpp"
@@ -139,53 +140,82 @@ Oracle::Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads, Obje
 
 double Oracle::half_width(double t) const { return least > 0 ? std::sqrt(t * shares_) : infinity; }
 
-/// With y and the rates as they were found, made right where rounding made them wrong.
+/// Of one load by ascent; false where that leaves it open.
+bool Oracle::quick_grip(std::size_t s, const Vector<3>& x, Answer& answer) const {
+  const ScaledLoad& load = loads_[s];
+  const Driven<3>& driven = grasp_.driven();
+  if (!is_grip() || !driven.apart) return false;
+  const Wrench<3> w = load.at(x);
+  dual::Point<3> held(load.problem.size);
+  dual::LeastGrip<3> found(load.problem.size);
+  if (dual::approach(load.problem, w, dual::cold_start(load.problem, w), load.cap, held)) {
+    if (!dual::least_grip(load.problem, driven, w, held, found)) return false;
+  } else {
+    found.y = held.y;
+    if (!driven.alike || !dual::refute(load.problem, driven, w, load.cap, found)) return false;
+  }
+  HalfSpace& cut = answer.half_space = general_half_space(s, found.y, x);
+  const double times = scaled_grip(grasp_, grasp_.loads()[s].weight) / unit;
+  cut.rates.assign(found.rates.begin(), found.rates.end());
+  for (const double rate : found.rates) cut.rate_sum += rate / times;
+  cut.phi = found.fixed - found.y.dot(load.fixed);
+  answer.value = std::pow(found.value * times, 2);
+  return true;
+}
+
 Answer Oracle::general_answer(const Vector<3>& x) {
-  using State = dual::Balance<3>::State;
   Answer worst{-1, {}};
   for (std::size_t s = 0; s < loads_.size(); ++s) {
-    const ScaledLoad& load = loads_[s];
-    const dual::ConeHand<3>& cones = cones_[s];
-    const dual::Balance<3> found =
-        dual::balance(cones, load.at(x), is_grip() ? dual::Wanted::grip : dual::Wanted::effort);
     ++holds;
-    HalfSpace cut = general_half_space(s, found.y, x);
-    double value = infinity;
-    if (is_grip()) {
-      const dual::GripCut<3> proof = dual::grip_cut(cones, found, load.cap);
-      const double times = scaled_grip(grasp_, grasp_.loads()[s].weight) / unit;
-      cut.rates = proof.rates;
-      cut.rate_sum = proof.rate_sum / times;  // F in the oracle's unit
-      cut.phi = proof.fixed - proof.y.dot(load.fixed);
-      if (found.state == State::held) value = std::pow(found.value * times, 2);
-    } else {
-      const Load<3>& given = grasp_.loads()[s];
-      const std::vector<Drive<3>> drives = grasp_.drives();
-      cut.rates.resize(drives.size());
-      dual::Rates rates(drives.size());
-      std::size_t limited = 0;
-      for (std::size_t a = 0; a < drives.size(); ++a) {
-        cut.rates[a] = 0;
-        if (!std::isfinite(drives[a].max)) continue;
-        const double per_length = drives[a].turns ? load.problem.hand.per_length : 1;
-        cut.rates[a] = found.rates[limited++] * given.weight * per_length;
-      }
-      const Twist<3> y = about_origin(load.problem.hand, given.weight, found.y);
-      const Wrench<3> none = Wrench<3>::Zero();
-      std::copy(cut.rates.begin(), cut.rates.end(), rates.begin());
-      const auto proven = static_cast<double>(dual::effort_bound<3>(grasp_, none, y, rates, 1) /
-                                              (given.weight * given.weight));
-      cut.phi = -proven / 2 - found.y.dot(load.fixed);
-      if (found.state == State::held) value = 2 * found.value * load.unit;
-    }
-    const bool holdable = value <= most;
-    cut.origin = holdable ? HalfSpace::Origin::held : HalfSpace::Origin::unholdable;
-    if (!holdable) value = infinity;
-    if (!(value > worst.value)) continue;
-    worst = {value, cut};
+    Answer answer;
+    if (!quick_grip(s, x, answer)) answer = answer_by_interior(s, x);
+    const bool holdable = answer.value <= most;
+    answer.half_space.origin = holdable ? HalfSpace::Origin::held : HalfSpace::Origin::unholdable;
+    if (!holdable) answer.value = infinity;
+    if (!(answer.value > worst.value)) continue;
+    worst = std::move(answer);
     if (!holdable) break;
   }
   return worst;
+}
+
+/// Of one load, with y and the rates as they were found, made right where rounding made them wrong.
+Answer Oracle::answer_by_interior(std::size_t s, const Vector<3>& x) const {
+  using State = dual::Balance<3>::State;
+  const ScaledLoad& load = loads_[s];
+  const dual::ConeHand<3>& cones = cones_[s];
+  const dual::Balance<3> found =
+      dual::balance(cones, load.at(x), is_grip() ? dual::Wanted::grip : dual::Wanted::effort);
+  HalfSpace cut = general_half_space(s, found.y, x);
+  double value = infinity;
+  if (is_grip()) {
+    const dual::GripCut<3> proof = dual::grip_cut(cones, found, load.cap);
+    const double times = scaled_grip(grasp_, grasp_.loads()[s].weight) / unit;
+    cut.rates = proof.rates;
+    cut.rate_sum = proof.rate_sum / times;  // F in the oracle's unit
+    cut.phi = proof.fixed - proof.y.dot(load.fixed);
+    if (found.state == State::held) value = std::pow(found.value * times, 2);
+  } else {
+    const Load<3>& given = grasp_.loads()[s];
+    const auto& drives = grasp_.driven().drives;
+    cut.rates.resize(drives.size());
+    dual::Rates rates(drives.size());
+    std::size_t limited = 0;
+    for (std::size_t a = 0; a < drives.size(); ++a) {
+      cut.rates[a] = 0;
+      if (!std::isfinite(drives[a].max)) continue;
+      const double per_length = drives[a].turns ? load.problem.hand.per_length : 1;
+      cut.rates[a] = found.rates[limited++] * given.weight * per_length;
+    }
+    const Twist<3> y = about_origin(load.problem.hand, given.weight, found.y);
+    const Wrench<3> none = Wrench<3>::Zero();
+    std::copy(cut.rates.begin(), cut.rates.end(), rates.begin());
+    const auto proven = static_cast<double>(dual::effort_bound<3>(grasp_, none, y, rates, 1) /
+                                            (given.weight * given.weight));
+    cut.phi = -proven / 2 - found.y.dot(load.fixed);
+    if (found.state == State::held) value = 2 * found.value * load.unit;
+  }
+  return {value, cut};
 }
 
 HalfSpace Oracle::general_half_space(std::size_t load, const Twist<3>& y,

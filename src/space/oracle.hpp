@@ -96,7 +96,8 @@ struct Aim {
 };
 
 /// The greatest effort of the loads, or the square of the greatest grip. That of the grip, of hands
-/// with pads and of drives with a max is found by the interior-point method.
+/// with pads and of drives with a max is found by the interior-point method, where ascent leaves it
+/// open.
 class Oracle {
  public:
   Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads,
@@ -135,6 +136,8 @@ class Oracle {
   double stretch(const HalfSpace& half_space, double half) const;
   Cut cut_by(std::size_t load, const Twist<3>& y) const;
   Answer general_answer(const Vector<3>& x);
+  bool quick_grip(std::size_t load, const Vector<3>& x, Answer& answer) const;
+  Answer answer_by_interior(std::size_t load, const Vector<3>& x) const;
   HalfSpace general_half_space(std::size_t load, const Twist<3>& y, const Vector<3>& x) const;
   bool is_grip() const { return objective_ == Objective::grip; }
 

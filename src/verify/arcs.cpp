@@ -20,24 +20,6 @@ struct ArcForces {
 
 Real middle_of(const RealArc& arc) { return (arc.from + arc.to) / 2; }
 
-/// Checks what the arc says a contact does, by its force in the middle.
-void check_state(Verdict& verdict, const Path& place, const RealContact& contact, Real weight,
-                 const Vec2& force, const ArcState& claim) {
-  // Close to where states meet both are right.
-  const Real n = force[0], little = 1e-8L * weight, tiny = 1e-12L * weight;
-  const Real left = contact.friction * n - std::abs(force[1]);
-  verdict.check(place / "state", "state is that of the arc's middle",
-                claim.state == ContactState::unloaded   ? n <= little
-                : claim.state == ContactState::slipping ? n > tiny && left <= little
-                                                        : n > tiny && left > tiny);
-  const bool max = n >= contact.most - little;
-  const bool min = contact.least > 0 && n <= contact.least + little;
-  verdict.check(place / "limit", "limit is that of the arc's middle",
-                claim.limit == ForceLimit::max   ? max
-                : claim.limit == ForceLimit::min ? min
-                                                 : (!max && !min) || n < 1e-6L * weight);
-}
-
 ArcForces check_contacts(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
                          const std::vector<ArcState>& states) {
   const Real W = grasp.loads.front().weight;
@@ -59,8 +41,8 @@ ArcForces check_contacts(Verdict& verdict, const RealGrasp& grasp, const RealArc
       forces.outside =
           std::max(forces.outside, -least(g, arc.from, arc.to) / std::max(z.norm(), W));
     }
-    check_state(verdict, (arc.place / "states")[i], contact, W, f * harmonics(middle_of(arc)),
-                states[i]);
+    check_arc_state(verdict, (arc.place / "states")[i], contact, W, f * harmonics(middle_of(arc)),
+                    states[i]);
   }
   return forces;
 }
@@ -73,13 +55,14 @@ void check_effort(Verdict& verdict, const RealArc& arc, const Mat3& Q, Real weig
   const Real scale = dual.scale(), middle = middle_of(arc);
   if (arc.from == arc.to) {
     verdict.check(place, "V is twice the dual value of y [of V]",
-                  difference(arc.V(middle), dual(middle)), 1e-9L);
+                  difference(arc.value(middle), dual(middle)), 1e-9L);
     return;
   }
   for (const auto& [key, claimed, expected] :
-       {std::tuple{"c0", arc.V.c0, dual.c0}, std::tuple{"cos1", arc.V.cos1, dual.cos1},
-        std::tuple{"sin1", arc.V.sin1, dual.sin1}, std::tuple{"cos2", arc.V.cos2, dual.cos2},
-        std::tuple{"sin2", arc.V.sin2, dual.sin2}})
+       {std::tuple{"c0", arc.value.c0, dual.c0}, std::tuple{"cos1", arc.value.cos1, dual.cos1},
+        std::tuple{"sin1", arc.value.sin1, dual.sin1},
+        std::tuple{"cos2", arc.value.cos2, dual.cos2},
+        std::tuple{"sin2", arc.value.sin2, dual.sin2}})
     verdict.check(place / key, "V is twice the dual value of y [of all coefficients]",
                   std::abs(claimed - expected) / scale,
                   1e-11L + 4e-15L * std::sqrt(scale) / weight);
@@ -88,55 +71,88 @@ void check_effort(Verdict& verdict, const RealArc& arc, const Mat3& Q, Real weig
 /// Checks that y proves V, but for what its rounding to doubles takes.
 void check_proof(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc, Real digits) {
   for (int k = 0; k <= 4; ++k) {
-    const Real theta = arc.from + (arc.to - arc.from) * k / 4, V = arc.V(theta);
+    const Real theta = arc.from + (arc.to - arc.from) * k / 4, V = arc.value(theta);
     const Vec y = arc.y * harmonics(theta), w = wrench(grasp.loads.front(), up_at(theta));
-    const Real off = std::abs(V - bound(grasp, w, y)) + bound_rounding(grasp, w, y);
+    const Real off = std::abs(V - bound(grasp, w, y)) + bound_rounding(grasp, w, y, {});
     verdict.check(arc.place / "V", "V is what y proves [of V]", V > 0 ? off / V : 1,
                   1e-6L + 4 * digits);
   }
 }
 
-void check_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
-               const std::vector<ArcState>& states, Real force_cap) {
+void check_effort_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
+                      const std::vector<ArcState>& states, Real force_cap) {
   const RealLoad& load = grasp.loads.front();
-  verdict.check(arc.place, "from_deg is not above to_deg, nor by more than a turn below",
-                arc.from <= arc.to && arc.to - arc.from <= 2 * pi + end_slack);
-  const bool complete = states.size() == grasp.contacts.size();
-  verdict.check(arc.place / "states", "there are as many states as the grasp has contacts",
-                complete);
-  if (!complete) return;
   const ArcForces forces = check_contacts(verdict, grasp, arc, states);
   verdict.check(arc.place, "contacts keep to their faces along the arc [of y]", forces.outside,
                 1e-7L);
   // What y loses by its rounding, if it is not so long that nothing is left.
   const Real digits = std::min(1e-15L * forces.length / load.weight, Real{1e-6L});
-  for (const Real theta : {arc.from, middle_of(arc), arc.to})
-    verdict.check(arc.place, "forces balance the load along the arc [weights]",
-                  relative_size(forces.off * harmonics(theta), load), 1e-11L + digits);
+  verdict.check(arc.place, "forces balance the load along the arc [weights]",
+                relative_size(forces.off, load, arc.from, arc.to), 1e-11L + digits);
   check_effort(verdict, arc, forces.Q, load.weight);
   check_proof(verdict, grasp, arc, digits);
   const Real cap = force_cap * load.weight;
   verdict.check(arc.place, "V is within the force cap: V / cap^2",
-                arc.V.greatest(arc.from, arc.to) / (cap * cap), 1 + 1e-6L);
+                arc.value.greatest(arc.from, arc.to) / (cap * cap), 1 + 1e-6L);
 }
 
 }  // namespace
 
 bool RealArc::is_sliver() const { return from != to && std::abs(to - from) <= end_slack; }
 
+void check_arc_state(Verdict& verdict, const Path& place, const RealContact& contact, Real weight,
+                     const Vec& force, const ArcState& claim) {
+  // Close to where states meet both are right.
+  const Real n = force[0], little = 1e-8L * weight, tiny = 1e-12L * weight;
+  const Real left = contact.friction * n - std::abs(force[1]);
+  const Real least_left = std::min(tiny, 1e-10L * contact.friction * n);
+  verdict.check(place / "state", "state is that of the arc's middle",
+                claim.state == ContactState::unloaded   ? n <= little
+                : claim.state == ContactState::slipping ? n > tiny && left <= little
+                                                        : n > tiny && left > least_left);
+  const bool max = n >= contact.most - little;
+  const bool min = contact.least > 0 && n <= contact.least + little;
+  verdict.check(place / "limit", "limit is that of the arc's middle",
+                claim.limit == ForceLimit::max   ? max
+                : claim.limit == ForceLimit::min ? min
+                : n < 1e-6L * weight
+                    ? true
+                    : n < contact.most - tiny && (contact.least == 0 || n > contact.least + tiny));
+}
+
 std::vector<RealArc> check_arcs(Verdict& verdict, const RealGrasp& grasp,
-                                const std::vector<ArcClaim>& claims, Real force_cap) {
+                                const std::vector<ArcClaim>& claims, const OptionsClaim& options) {
   std::vector<RealArc> arcs;
   for (std::size_t k = 0; k < claims.size(); ++k) {
     const ArcClaim& claim = claims[k];
     RealArc& arc = arcs.emplace_back();
-    arc = {(Path() / "arcs")[k], claim.from, claim.to, effort_of(claim.V), {}};
+    arc = {(Path() / "arcs")[k],
+           claim.from,
+           claim.to,
+           claim.F ? effort_of(*claim.F) : effort_of(claim.V),
+           {}};
     arc.y << claim.y.c0.cast<Real>(), claim.y.cos1.cast<Real>(), claim.y.sin1.cast<Real>();
-    if (arc.is_sliver())
+    arc.rates.resize(grasp.drives.size());
+    if (claim.rates.size() == arc.rates.size())
+      std::copy(claim.rates.begin(), claim.rates.end(), arc.rates.begin());
+    const bool of_grip = options.objective == Objective::grip;
+    verdict.check(arc.place, "an arc is of the objective of the options",
+                  claim.F.has_value() == of_grip);
+    if (arc.is_sliver()) {
       verdict.unchecked(arc.place,
                         "arcs narrower than 2e-8 rad prove nothing, their neighbours must");
+      continue;
+    }
+    verdict.check(arc.place, "from_deg is not above to_deg, nor by more than a turn below",
+                  arc.from <= arc.to && arc.to - arc.from <= 2 * pi + end_slack);
+    const bool complete = claim.states.size() == grasp.contacts.size();
+    verdict.check(arc.place / "states", "there are as many states as the grasp has contacts",
+                  complete);
+    if (!complete || claim.F.has_value() != of_grip) continue;
+    if (of_grip)
+      check_grip_arc(verdict, grasp, arc, claim, options.force_cap);
     else
-      check_arc(verdict, grasp, arc, claim.states, force_cap);
+      check_effort_arc(verdict, grasp, arc, claim.states, options.force_cap);
   }
   return arcs;
 }

@@ -13,6 +13,7 @@ constexpr Real infinity = std::numeric_limits<Real>::infinity();
 constexpr Real loose = 1e-7L;  ///< a force cap of 1e6 weights makes rounding of doubles felt
 constexpr Real near = 1e-5L;   ///< what is held and its bound
 constexpr Real most_friction = 1e6L;
+constexpr Real no_friction = 1e-9L;  ///< of the friction: where ever less is enough
 
 /// The grasp with one load, in one posture.
 struct Case {
@@ -28,13 +29,28 @@ RealGrasp with_weight(RealGrasp grasp, Real weight) {
   return grasp;
 }
 
-/// The contacts without max_normal alone.
+/// The contacts without max_normal alone. Of drives with a max check_idle sees that they do
+/// nothing.
 RealGrasp without_limits(RealGrasp grasp) {
   for (RealContact& contact : grasp.contacts) {
     contact.least = 0;
     if (std::isfinite(contact.most)) contact.most = 0;
   }
   return grasp;
+}
+
+/// Those of a claim, where they can be rates of the grasp's drives.
+std::optional<std::vector<Real>> rates_of(Verdict& verdict, const Path& place,
+                                          const RealGrasp& grasp,
+                                          const std::optional<std::vector<double>>& claim) {
+  std::vector<Real> rates;
+  if (claim) rates.assign(claim->begin(), claim->end());
+  bool right = rates.empty() || rates.size() == grasp.drives.size();
+  for (std::size_t a = 0; a < rates.size() && right; ++a)
+    right = std::isfinite(rates[a]) && rates[a] >= 0 &&
+            (rates[a] == 0 || std::isfinite(grasp.drives[a].max));
+  verdict.check(place, "rates are of drives with a max, and at least 0", right);
+  return right ? std::optional(rates) : std::nullopt;
 }
 
 /// Checks a hold at a limit of what can be held.
@@ -51,9 +67,11 @@ void check_at_limit(Verdict& verdict, const Path& place, const Case& given, cons
 /// Checks a bound on the weights that can be held. `sign`: of what its dual gains with the weight.
 template <int Dim>
 void check_bound(Verdict& verdict, const Path& place, const Case& given, const Twist<Dim>& dual,
-                 Real bound, Real sign) {
+                 const std::optional<std::vector<double>>& claimed_rates, Real bound, Real sign) {
+  const auto rates = rates_of(verdict, place, given.grasp, claimed_rates);
+  if (!rates) return;
   const WeightBound proof =
-      weight_bound(given.grasp, given.load(), given.up, real(dual), given.cap);
+      weight_bound(given.grasp, given.load(), given.up, real(dual), *rates, given.cap);
   const Real proven = std::max(proof.fixed / proof.gain, Real{0});
   verdict.check(place, "no weight beyond the bound can be held, by its dual",
                 sign * proof.gain > 0 ? std::abs(proven - bound) : infinity,
@@ -69,22 +87,63 @@ void check_deciding(Verdict& verdict, const Path& place, const Case& given,
   verdict.check(place, "each contact decides or not, where not any weight is held", complete);
   if (claim.any || !complete) return;
   const Vec y = real(claim.greatest_dual);
-  const Real gain = weight_bound(given.grasp, given.load(), given.up, y, given.cap).gain;
+  const auto rates = rates_of(verdict, place, given.grasp, claim.greatest_rates);
+  if (!rates) return;
+  const Real gain = weight_bound(given.grasp, given.load(), given.up, y, *rates, given.cap).gain;
   const Real least = 1e-9L * std::abs(gain);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Path here = place[i];
-    const Vec z = contacts[i].G.transpose() * y;
-    const Real beside = z.tail(z.size() - 1).norm(), power = z[0] + contacts[i].friction * beside;
+    const Vec z = contacts[i].G.transpose() * against(given.grasp, contacts[i].finger, y, *rates);
+    const Real beside = sliding(contacts[i], z), most = power(contacts[i], z);
     verdict.check(here, "finger is that of the grasp",
                   claim.contacts[i].finger == contacts[i].finger);
-    const bool presses = std::isfinite(contacts[i].most) && power > least;
-    const Real off = claim.contacts[i].per_newton - (presses ? power / gain : 0);
+    const bool presses = std::isfinite(contacts[i].most) && most > least;
+    const Real off = claim.contacts[i].per_newton - (presses ? most / gain : 0);
     verdict.check(here / "per_newton", "per_newton is what the contact can do, by the dual",
                   std::abs(off), 1e-6L * (1 + std::abs(claim.contacts[i].per_newton)));
-    const bool slips = contacts[i].friction > 0 && beside > least && power > -least;
-    const bool clear = !is_beside(beside, least, gain) && !is_beside(power, -least, gain);
+    const bool slips = contacts[i].friction > 0 && beside > least && most > -least;
+    const bool clear = !is_beside(beside, least, gain) && !is_beside(most, -least, gain);
     verdict.check(here / "slipping", "slipping follows from the dual",
                   !clear || claim.contacts[i].slipping == slips);
+  }
+}
+
+/// Checks that drives with a max have nothing to do.
+template <int Dim>
+void check_idle(Verdict& verdict, const Path& place, const Case& given,
+                const std::optional<HoldClaim<Dim>>& hold) {
+  if (!hold || hold->drives.size() != given.grasp.drives.size()) return;
+  const Real length = given.load().radius > 0 ? given.load().radius : 1;
+  for (std::size_t a = 0; a < hold->drives.size(); ++a)
+    if (const RealDrive& drive = given.grasp.drives[a]; std::isfinite(drive.max))
+      verdict.check(place[a] / "effort", "drives with a max do nothing where any weight is held",
+                    hold->drives[a].effort / (given.load().weight * (drive.turns ? length : 1)),
+                    1e-8L);
+}
+
+/// Checks which drives decide, by the rates.
+template <int Dim>
+void check_deciding_drives(Verdict& verdict, const Path& place, const Case& given,
+                           const WeightClaim<Dim>& claim) {
+  const auto& drives = given.grasp.drives;
+  const auto rates = rates_of(verdict, place, given.grasp, claim.greatest_rates);
+  if (!rates) return;
+  if (claim.any)
+    return verdict.check(place, "no drive decides where any weight is held", claim.drives.empty());
+  if (drives.empty())
+    return verdict.unchecked(place, "the closing directions of the fingers are not known");
+  const bool complete = claim.drives.size() == drives.size();
+  verdict.check(place, "each drive decides or not, where not any weight is held", complete);
+  if (!complete) return;
+  const Real gain = weight_bound(given.grasp, given.load(), given.up, real(claim.greatest_dual),
+                                 *rates, given.cap)
+                        .gain;
+  for (std::size_t a = 0; a < drives.size(); ++a) {
+    verdict.check(place[a], "name is that of the drive", claim.drives[a].name == drives[a].name);
+    const Real rate = rates->empty() ? 0 : (*rates)[a];
+    verdict.check(place[a] / "per_newton", "per_newton is the rate of the drive, by the dual",
+                  std::abs(claim.drives[a].per_newton - rate / gain),
+                  1e-6L * (1 + std::abs(claim.drives[a].per_newton)));
   }
 }
 
@@ -96,9 +155,11 @@ void check_greatest(Verdict& verdict, const Path& place, const Case& given,
                 claim.greatest.has_value() != claim.any);
   verdict.check(place / "greatest_bound", "there is a bound, unless any weight is held",
                 claim.greatest_bound.has_value() != claim.any);
-  if (claim.any)
+  if (claim.any) {
+    check_idle(verdict, place / "greatest_hold" / "drives", given, claim.greatest_hold);
     return check_at_limit(verdict, place / "greatest_hold", given, without_limits(given.grasp),
                           claim.greatest_hold);
+  }
   if (!claim.greatest || !claim.greatest_bound) return;
   verdict.check(place / "greatest", "greatest is its bound, but for a part of 1e-5",
                 difference(*claim.greatest, *claim.greatest_bound), near);
@@ -132,22 +193,26 @@ void check_weight(Verdict& verdict, const Path& place, const Case& given,
                 difference(claim.given, given.load().weight), 1e-15L);
   if (claim.greatest_bound)
     check_bound<Dim>(verdict, place / "greatest_bound", given, claim.greatest_dual,
-                     *claim.greatest_bound, 1);
+                     claim.greatest_rates, *claim.greatest_bound, 1);
   if (claim.least_bound != 0)
-    check_bound<Dim>(verdict, place / "least_bound", given, claim.least_dual, claim.least_bound,
-                     -1);
+    check_bound<Dim>(verdict, place / "least_bound", given, claim.least_dual, claim.least_rates,
+                     claim.least_bound, -1);
   verdict.check(place / "greatest_dual", "without a bound there is no dual",
-                claim.greatest_bound || claim.greatest_dual.isZero(0));
+                claim.greatest_bound || (claim.greatest_dual.isZero(0) && !claim.greatest_rates));
   verdict.check(place / "least_dual", "without a bound there is no dual",
-                claim.least_bound != 0 || claim.least_dual.isZero(0));
+                claim.least_bound != 0 || (claim.least_dual.isZero(0) && !claim.least_rates));
   if (claim.holdable) {
     check_greatest(verdict, place, given, claim);
     check_least(verdict, place, given, claim);
-    return check_deciding(verdict, place / "contacts", given, claim);
+    check_deciding(verdict, place / "contacts", given, claim);
+    return check_deciding_drives(verdict, place / "drives", given, claim);
   }
   Real strength = 0;
   for (const RealContact& contact : given.grasp.contacts)
     if (std::isfinite(contact.most)) strength += contact.most;
+  const Real length = given.load().radius > 0 ? given.load().radius : 1;
+  for (const RealDrive& drive : given.grasp.drives)
+    if (std::isfinite(drive.max)) strength += drive.turns ? drive.max / length : drive.max;
   const Real most = claim.greatest_bound ? Real{*claim.greatest_bound} : infinity;
   verdict.check(place / "holdable", "that no weight can be held follows from its bounds",
                 most < claim.least_bound || most <= loose * strength);
@@ -161,15 +226,18 @@ void check_friction(Verdict& verdict, const Path& place, const Case& given,
                     const FrictionClaim<Dim>& claim) {
   const Real bound = claim.bound;
   const Vec y = real(claim.dual);
+  const auto rates = rates_of(verdict, place / "rates", given.grasp, claim.rates);
+  if (!rates) return;
   // What is missing against y with some friction.
   const auto missing = [&](Real friction) {
-    const WeightBound proof =
-        weight_bound(with_friction(given.grasp, friction), given.load(), given.up, y, given.cap);
+    const WeightBound proof = weight_bound(with_friction(given.grasp, friction), given.load(),
+                                           given.up, y, *rates, given.cap);
     return given.load().weight * proof.gain - proof.fixed;
   };
   verdict.check(place / "bound", "bound is from 0 to a million",
                 bound >= 0 && bound <= most_friction);
-  verdict.check(place / "dual", "without a bound there is no dual", bound != 0 || y.isZero(0));
+  verdict.check(place / "dual", "without a bound there is no dual",
+                bound != 0 || (y.isZero(0) && !claim.rates));
   if (bound > 0)
     verdict.check(place / "bound", "with less friction the weight cannot be held, by the dual",
                   missing(bound * (1 - loose)) > 0);
@@ -179,7 +247,7 @@ void check_friction(Verdict& verdict, const Path& place, const Case& given,
     return verdict.check(place / "hold", "is null where there is none", !claim.hold);
   const Real factor = *claim.factor;
   verdict.check(place / "factor", "factor is its bound, but for a part of 1e-5",
-                difference(factor, bound), near);
+                difference(factor, bound, no_friction), near);
   check_at_limit(verdict, place / "hold", given, with_friction(given.grasp, factor), claim.hold);
 }
 
@@ -244,8 +312,12 @@ void check_capacity(Verdict& verdict, const RealGrasp& grasp, const CapacityDocu
     verdict.check(place / "up", "up is a unit vector", std::abs(given.up.norm() - 1), rounding);
     check_weight(verdict, place / "weight", given, claim.weight);
     check_friction(verdict, place / "friction", given, claim.friction);
-    check_least_hold(verdict, place / "command", with_friction(given.grasp, 1 / safety),
-                     claim.command, cap);
+    RealGrasp safe = with_friction(given.grasp, 1 / safety);
+    safe.within_max = false;  // what to command may be more than the gripper gives
+    verdict.check(place / "command" / "objective", "the command is the least grip, if there is one",
+                  !claim.command.holdable ||
+                      (claim.command.objective == Objective::grip) == !safe.drives.empty());
+    check_least_hold(verdict, place / "command", safe, claim.command, cap);
     check_up(verdict, place / "command", real(claim.command.up), given.up,
              "the hold is of the posture asked for");
   }

@@ -52,6 +52,16 @@ Real value(const HoldClaim<Dim>& hold) {
   return hold.objective == Objective::grip ? hold.grip.value_or(0) : hold.effort;
 }
 
+/// Differences of values below this are rounding: a grip may be 0 where the weight is not, an
+/// effort may not.
+Real little(const RealGrasp& grasp, std::optional<Objective> objective);
+/// |a - b| relative to the larger, or to what is little.
+Real difference(Real a, Real b, Real little);
+/// Rates that a document gives, where they can be those of the grasp's drives.
+std::optional<std::vector<Real>> real_rates(Verdict& verdict, const Path& place,
+                                            const RealGrasp& grasp,
+                                            const std::optional<std::vector<double>>& rates);
+
 /// The load of which an answer gives the number; the first where there is no such one.
 const RealLoad& load_of(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                         std::size_t scenario);

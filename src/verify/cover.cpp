@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "verify/checks.hpp"
 #include "verify/curve.hpp"
 
 namespace poise::verify {
@@ -9,12 +10,12 @@ namespace {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
-/// What y proves of the effort in all postures, times harmonics(theta): twice its dual value, less
-/// `balance` times what it moves the com by.
-Vec3 proof(const RealGrasp& grasp, const Vec& y, Real balance) {
+/// What y and rates of limited drives prove of the effort in all postures, times harmonics(theta),
+/// less `balance` times what y moves the com by.
+Vec3 proof(const RealGrasp& grasp, const Vec& y, const std::vector<Real>& rates, Real balance) {
   const RealLoad& load = grasp.loads.front();
   Vec3 g = 2 * load_matrix(load).transpose() * y.head<3>();
-  g[0] -= 2 * phi(grasp, y) + 2 * balance * imbalance_power(load, y);
+  g[0] += bound(grasp, Vec::Zero(3), y, rates) - 2 * balance * imbalance_power(load, y);
   return g;
 }
 
@@ -24,7 +25,7 @@ Path unholdable_path(std::size_t k) { return (Path() / "unholdable_arcs")[k]; }
 struct Piece {
   Path place;
   Real from, to;
-  Vec y_from, y_to;  ///< what its ends prove their neighbours by
+  Vec3 proof_from, proof_to;  ///< what its ends prove, times harmonics(theta)
   bool arc;
 };
 
@@ -32,17 +33,26 @@ struct Piece {
 bool is_narrow(const UnholdableArc& arc) { return arc.to - arc.from <= 2 * end_slack; }
 
 /// In their order from `start`.
-std::vector<Piece> pieces_of(const std::vector<RealArc>& arcs,
-                             const std::vector<UnholdableArc>& unholdable, Real start) {
+std::vector<Piece> pieces_of(const RealGrasp& grasp, const std::vector<RealArc>& arcs,
+                             const std::vector<UnholdableArc>& unholdable, Real start,
+                             const OptionsClaim& options) {
+  const bool of_grip = options.objective == Objective::grip;
   std::vector<Piece> pieces;
-  for (const RealArc& arc : arcs)
-    if (!arc.is_sliver())
-      pieces.push_back({arc.place, arc.from, arc.to, arc.y * harmonics(arc.from),
-                        arc.y * harmonics(arc.to), true});
+  for (const RealArc& arc : arcs) {
+    if (arc.is_sliver()) continue;
+    const auto at = [&](Real theta) {
+      const Vec y = arc.y * harmonics(theta);
+      return of_grip ? grip_proof(grasp, y, arc.rates, options.force_cap) : proof(grasp, y, {}, 0);
+    };
+    pieces.push_back({arc.place, arc.from, arc.to, at(arc.from), at(arc.to), true});
+  }
   for (std::size_t k = 0; k < unholdable.size(); ++k) {
     if (is_narrow(unholdable[k])) continue;
-    const Vec y = real(unholdable[k].y);
-    pieces.push_back({unholdable_path(k), unholdable[k].from, unholdable[k].to, y, y, false});
+    // What is proven of the effort says nothing of the grip.
+    const Vec3 proven =
+        of_grip ? Vec3(-infinity, 0, 0) : proof(grasp, real(unholdable[k].y), {}, 0);
+    pieces.push_back(
+        {unholdable_path(k), unholdable[k].from, unholdable[k].to, proven, proven, false});
   }
   for (Piece& piece : pieces) {
     const Real from = unwound(piece.from, start);
@@ -59,9 +69,8 @@ std::vector<Piece> pieces_of(const std::vector<RealArc>& arcs,
 /// neighbours' first.
 class Walk {
  public:
-  Walk(Verdict& verdict, const RealGrasp& grasp, const std::vector<Piece>& pieces, Real start,
-       Status status)
-      : verdict_(verdict), grasp_(grasp), pieces_(pieces), status_(status), reached_(start) {}
+  Walk(Verdict& verdict, const std::vector<Piece>& pieces, Real start, Status status)
+      : verdict_(verdict), pieces_(pieces), status_(status), reached_(start) {}
 
   /// Starts behind a piece.
   void start_behind(const Piece& piece) { before_ = &piece; }
@@ -74,15 +83,15 @@ class Walk {
     const bool by_arcs = (before_ && before_->arc) || (after && after->arc);
     if (to <= reached_ || (to - reached_ <= most_narrow && !by_arcs)) return;
     Real best = -infinity;
-    const auto use = [&](const Vec& y) {
-      best = std::max(best, verify::least(proof(grasp_, y, 0), reached_, to));
+    const auto use = [&](const Vec3& proof) {
+      best = std::max(best, verify::least(proof, reached_, to));
     };
-    if (before_) use(before_->y_to);
-    if (after) use(after->y_from);
+    if (before_) use(before_->proof_to);
+    if (after) use(after->proof_from);
     if (to - reached_ > end_slack)
       for (const Piece& piece : pieces_) {
-        use(piece.y_from);
-        use(piece.y_to);
+        use(piece.proof_from);
+        use(piece.proof_to);
       }
     least_ = std::min(least_, best);
   }
@@ -100,7 +109,6 @@ class Walk {
 
  private:
   Verdict& verdict_;
-  const RealGrasp& grasp_;
   const std::vector<Piece>& pieces_;
   Status status_;
   Real reached_;
@@ -112,14 +120,14 @@ class Walk {
 
 Real check_cover(Verdict& verdict, const RealGrasp& grasp, const std::vector<RealArc>& arcs,
                  const std::vector<UnholdableArc>& unholdable, const RealDomain& domain,
-                 Status status) {
+                 Status status, const OptionsClaim& options) {
   Real start = domain.from;
   if (domain.circle && !(arcs.empty() && unholdable.empty()))
     start = arcs.empty() ? unholdable.front().from : arcs.front().from;
   const Real stop = domain.circle ? start + 2 * pi : domain.to;
-  const std::vector<Piece> pieces = pieces_of(arcs, unholdable, start);
+  const std::vector<Piece> pieces = pieces_of(grasp, arcs, unholdable, start, options);
   const bool closed = domain.circle && !pieces.empty();
-  Walk walk(verdict, grasp, pieces, start, status);
+  Walk walk(verdict, pieces, start, status);
   if (closed)
     walk.start_behind(*std::max_element(
         pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.to < b.to; }));
@@ -128,7 +136,7 @@ Real check_cover(Verdict& verdict, const RealGrasp& grasp, const std::vector<Rea
   verdict.check({}, "arcs keep to the domain [rad]", walk.reached() - stop, end_slack);
   Real least = walk.least();
   for (const RealArc& arc : arcs)
-    if (!arc.is_sliver()) least = std::min(least, arc.V.least(arc.from, arc.to));
+    if (!arc.is_sliver()) least = std::min(least, arc.value.least(arc.from, arc.to));
   return least;
 }
 
@@ -145,10 +153,15 @@ void check_unholdable(Verdict& verdict, const RealGrasp& grasp,
       continue;
     }
     const Real from = unholdable[k].from + end_slack, to = unholdable[k].to - end_slack;
+    const auto rates = real_rates(verdict, place, grasp, unholdable[k].rates);
+    if (!rates) continue;
     Real best = 0;
     for (int exponent = -80; exponent <= 80 && best <= cap * cap; exponent += 2) {
-      const Vec y = std::ldexp(Real{1}, exponent) * real(unholdable[k].y);
-      best = std::max(best, least(proof(grasp, y, delta), from, to));
+      const Real length = std::ldexp(Real{1}, exponent);
+      std::vector<Real> speeds = *rates;
+      for (Real& speed : speeds) speed *= length;
+      best = std::max(best,
+                      least(proof(grasp, length * real(unholdable[k].y), speeds, delta), from, to));
     }
     verdict.check(place, "y proves that the force cap is not enough: cap^2 / bound",
                   best > 0 ? cap * cap / best : 2, 1);

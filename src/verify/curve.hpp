@@ -10,17 +10,30 @@ namespace poise::verify {
 struct RealArc {
   Path place;
   Real from{0}, to{0};
-  Effort V;
-  Mat3 y;  ///< times harmonics(theta)
+  Effort value;               ///< V or F
+  Mat3 y;                     ///< times harmonics(theta)
+  std::vector<Real> rates{};  ///< of grip
 
   /// Within rounding of where arcs end; a single posture is not.
   bool is_sliver() const;
 };
 
 /// Checks that the y of each arc gives forces that balance all along it, at an effort of V: then it
-/// also proves that no others have less.
+/// also proves that no others have less. Of grip that its forces balance, and that y and the rates
+/// prove their grip.
 std::vector<RealArc> check_arcs(Verdict& verdict, const RealGrasp& grasp,
-                                const std::vector<ArcClaim>& arcs, Real force_cap);
+                                const std::vector<ArcClaim>& arcs, const OptionsClaim& options);
+
+/// Checks an arc of the grip curve.
+void check_grip_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
+                    const ArcClaim& claim, Real force_cap);
+/// Checks what an arc says a contact does, by its force in the middle.
+void check_arc_state(Verdict& verdict, const Path& place, const RealContact& contact, Real weight,
+                     const Vec& force, const ArcState& claim);
+
+/// What y and rates prove of the grip in all postures, times harmonics(theta).
+Vec3 grip_proof(const RealGrasp& grasp, const Vec& y, const std::vector<Real>& rates,
+                Real force_cap);
 
 /// The planar postures to choose from [rad]: from <= to <= from + 2 pi.
 struct RealDomain {
@@ -47,17 +60,18 @@ struct RealOptimum {
   OptimumClaim claim;
   Real angle{0};        ///< theta [rad]
   Real from{0}, to{0};  ///< the stretch
-  Real digits{0};       ///< what the effort lost where it was found, relative: arcs are steep
+  Real value{0};        ///< that of its arc
+  Real rounding{0};     ///< of that value: arcs are steep
 };
 
 /// Checks an optimum by itself and where it lies on the arcs.
 RealOptimum check_optimum(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                           const OptimumClaim& claim, const std::vector<Chain>& chains,
-                          Extremum type, Real force_cap);
+                          Extremum type, const OptionsClaim& options);
 
 /// Checks that a list holds every minimum or maximum of the arcs, each once, and in their order.
 void check_complete(Verdict& verdict, const Path& list, const std::vector<RealOptimum>& optima,
-                    const std::vector<Chain>& chains, Extremum type);
+                    const std::vector<Chain>& chains, Extremum type, Real present);
 
 /// Checks that the y of each unholdable arc proves all its postures. A longer or shorter y is as
 /// good.
@@ -65,9 +79,9 @@ void check_unholdable(Verdict& verdict, const RealGrasp& grasp,
                       const std::vector<UnholdableArc>& unholdable, Real force_cap);
 
 /// Checks that arcs and unholdable arcs cover the domain, if `status` says so, and returns the
-/// least effort that is proven there.
+/// least value that is proven there.
 Real check_cover(Verdict& verdict, const RealGrasp& grasp, const std::vector<RealArc>& arcs,
                  const std::vector<UnholdableArc>& unholdable, const RealDomain& domain,
-                 Status status);
+                 Status status, const OptionsClaim& options);
 
 }  // namespace poise::verify

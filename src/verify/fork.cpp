@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "verify/hull.hpp"
 #include "verify/trig.hpp"
 
 namespace poise::verify {
@@ -15,37 +14,6 @@ Real distance_to_segment(const Vec& a, const Vec& b) {
   const Real s =
       ab.squaredNorm() > 0 ? std::clamp(-a.dot(ab) / ab.squaredNorm(), Real{0}, Real{1}) : 0;
   return (a + s * ab).norm();
-}
-
-Fork fork_in_plane(const RealGrasp& grasp, const RealLoad& load, const Vec& up) {
-  const Wedge wedge = wedge_of(grasp, load);
-  if (wedge.empty()) return Fork::no;
-  if (wedge.unclear) return Fork::unclear;
-  const Real theta = std::atan2(up[0], up[1]), half = (wedge.to - wedge.from) / 2;
-  const Real inside = half - angle_between(theta, (wedge.to + wedge.from) / 2);
-  return inside > 1e-9L ? Fork::yes : inside < -1e-9L ? Fork::no : Fork::unclear;
-}
-
-// The hull of the com and the contacts: seen from the com outside, the facets that meet there bound
-// the cone which the contacts span.
-Fork fork_in_space(const RealGrasp& grasp, const RealLoad& load, const Vec& up) {
-  if (load.radius <= 0) return Fork::no;
-  std::vector<Vec> points{Vec::Zero(3)};
-  for (const RealContact& contact : grasp.contacts)
-    points.emplace_back((contact.position - load.com) / load.radius);
-  const auto facets = hull(points);
-  if (!facets) return Fork::no;
-  Real most = -2;
-  for (const Facet& facet : *facets)
-    if (facet.offset >= -1e-9L) most = std::max(most, -facet.normal.dot(up));
-  if (most == -2) return Fork::no;  // the com is inside
-  points.erase(points.begin());
-  if (const auto contacts = hull(points)) {
-    Real outside = -1;
-    for (const Facet& facet : *contacts) outside = std::max(outside, facet.offset);
-    if (outside < 0.99e-9L) return Fork::no;
-  }
-  return most < -1e-9L ? Fork::yes : most > 1e-9L ? Fork::no : Fork::unclear;
 }
 
 }  // namespace
@@ -73,11 +41,7 @@ Wedge wedge_of(const RealGrasp& grasp, const RealLoad& load) {
   const Vec& last = arms[(first + arms.size() - 1) % arms.size()];
   const Real from = std::atan2(-last[0], -last[1]), width = 2 * pi - widest;
   if (width <= 1e-12L) return {};
-  return {from, from + width, distance < 1.001e-9L * load.radius};
-}
-
-Fork fork(const RealGrasp& grasp, const RealLoad& load, const Vec& up) {
-  return grasp.dim == 2 ? fork_in_plane(grasp, load, up) : fork_in_space(grasp, load, up);
+  return {from, from + width};
 }
 
 }  // namespace poise::verify

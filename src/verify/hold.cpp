@@ -3,13 +3,12 @@
 #include <limits>
 
 #include "verify/checks.hpp"
-#include "verify/fork.hpp"
+#include "verify/manner.hpp"
 #include "verify/trig.hpp"
 
 namespace poise::verify {
 namespace {
 
-constexpr Real most_off = 1e-11L;  ///< of the balance [weights]
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
 template <int Dim>
@@ -51,8 +50,8 @@ void check_fingers(Verdict& verdict, const Path& place, const RealGrasp& grasp,
   const bool complete = hold.fingers.size() == grasp.fingers.size();
   verdict.check(place / "fingers", "there are as many fingers as the grasp has", complete);
   if (!complete) return;
-  Real hardest = 0;
-  bool all_loaded = true, clear = true;
+  bool clear = true;
+  std::size_t loaded = 0;
   for (std::size_t k = 0; k < hold.fingers.size(); ++k) {
     const FingerClaim<Dim>& finger = hold.fingers[k];
     const Path here = (place / "fingers")[k];
@@ -68,27 +67,26 @@ void check_fingers(Verdict& verdict, const Path& place, const RealGrasp& grasp,
     verdict.check(here / "pressing_force", "pressing_force is that along the closing direction",
                   std::abs(finger.pressing_force.value_or(0) - sum.force.dot(closing)),
                   rounding * sum.size);
-    hardest = std::max(hardest, sum.normal);
     if (is_beside(sum.normal, at_limit * load.weight, load.weight)) clear = false;
-    all_loaded = all_loaded && sum.normal > at_limit * load.weight;
+    if (sum.normal > at_limit * load.weight) ++loaded;
   }
-  verdict.check(place / "grip_force", "grip_force is the largest finger's normal force",
-                difference(hold.grip_force, hardest), rounding);
   verdict.check(place / "all_loaded", "all_loaded follows from the fingers",
-                !clear || hold.all_loaded == all_loaded);
-  const Fork cradled = fork(grasp, load, real(hold.up));
-  const bool resting = grasp.fingers.size() == 1 || !all_loaded;
-  verdict.check(place / "manner", "manner follows from forces and posture",
-                !clear || (resting                ? hold.manner == Manner::resting
-                           : cradled == Fork::yes ? hold.manner == Manner::cradled
-                           : cradled == Fork::no  ? hold.manner == Manner::pinched
-                                                  : hold.manner != Manner::resting));
+                !clear || hold.all_loaded == (loaded == hold.fingers.size()));
+  const Friction friction =
+      loaded > 1 ? friction_for(grasp, load, real(hold.up)) : Friction::unclear;
+  const bool known = clear && (loaded <= 1 || friction != Friction::unclear);
+  if (!known) verdict.unchecked(place / "manner", "it is within rounding of another");
+  verdict.check(place / "manner", "manner follows from the forces",
+                !clear || (loaded <= 1                      ? hold.manner == Manner::resting
+                           : friction == Friction::needless ? hold.manner == Manner::cradled
+                           : friction == Friction::needed   ? hold.manner == Manner::pinched
+                                                            : hold.manner != Manner::resting));
 }
 
 /// Checks what the drives do, and the grip.
 template <int Dim>
 void check_drives(Verdict& verdict, const Path& place, const RealGrasp& grasp,
-                  const HoldClaim<Dim>& hold) {
+                  const HoldClaim<Dim>& hold, const std::vector<Vec>& forces) {
   const std::size_t count = grasp.drives.size();
   const bool complete = hold.drives.size() == count && hold.grip.has_value() == (count > 0);
   verdict.check(place / "drives", "there are as many drives as the grasp has, and their grip",
@@ -104,9 +102,7 @@ void check_drives(Verdict& verdict, const Path& place, const RealGrasp& grasp,
       for (const RealDrive::Moved& moved : drive.moves) {
         const RealContact& contact = grasp.contacts[i];
         if (moved.finger != contact.finger) continue;
-        Vec w = wrench(real(hold.contacts[i].force), contact.position);
-        if (contact.is_soft())
-          w.tail(3) += Real{hold.contacts[i].torsion_moment.value_or(0)} * contact.normal;
+        const Vec w = contact.G * forces[i];
         effort += moved.twist.dot(w);
         allowed += moved.twist.norm() * w.norm();
       }
@@ -121,7 +117,8 @@ void check_drives(Verdict& verdict, const Path& place, const RealGrasp& grasp,
       verdict.check(here / "part_of_max", "part_of_max is effort / max",
                     std::abs(*claim.part_of_max - effort / drive.max),
                     rounding * allowed / drive.max);
-      verdict.check(here / "effort", "effort is at most max", effort / drive.max, 1 + 1e-7L);
+      if (grasp.within_max)
+        verdict.check(here / "effort", "effort is at most max", effort / drive.max, 1 + 1e-7L);
     }
     grip = std::max(grip, effort / grasp.unit(drive));
     size = std::max(size, allowed / grasp.unit(drive));
@@ -130,34 +127,42 @@ void check_drives(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                 std::abs(*hold.grip - grip), rounding * size);
 }
 
-/// Those of a claim, where they can be rates of the grasp's drives.
-template <int Dim>
-std::optional<std::vector<Real>> rates_of(Verdict& verdict, const Path& place,
-                                          const RealGrasp& grasp, const HoldClaim<Dim>& hold) {
-  std::vector<Real> rates;
-  if (hold.rates) rates.assign(hold.rates->begin(), hold.rates->end());
-  bool right = rates.empty() || rates.size() == grasp.drives.size();
-  for (std::size_t a = 0; a < rates.size() && right; ++a)
-    right = rates[a] >= 0 && std::isfinite(rates[a]);
-  verdict.check(place / "rates", "rates are of the drives, and at least 0", right);
-  return right ? std::optional(rates) : std::nullopt;
-}
-
 /// Checks that (y, rates) prove the lower bound of the grip.
 template <int Dim>
 void check_grip_bound(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                       const RealLoad& load, const HoldClaim<Dim>& hold, Real force_cap) {
-  const auto rates = rates_of(verdict, place, grasp, hold);
+  const auto rates = real_rates(verdict, place, grasp, hold.rates);
   if (!rates) return;
   Real sum = 0;
   for (const Real rate : *rates) sum += rate;
   verdict.check(place / "rates", "rates add up to 1", std::abs(sum - 1), rounding);
   const Vec w = wrench(load, real(hold.up)), y = real(hold.dual);
   const Real proven = grip_bound(grasp, w, y, *rates, force_cap * load.weight);
-  // What is in newtons or newton metres is compared with the grip that the weight asks for.
-  const Real unit = std::max({Real{hold.lower_bound}, std::abs(y.dot(w)), Real{1e-9L}});
+  const Real unit = std::max(Real{hold.lower_bound}, little(grasp, Objective::grip));
   verdict.check(place / "lower_bound", "lower_bound is what y and rates prove of the grip",
                 (hold.lower_bound - std::max<Real>(proven, 0)) / unit, 1e-7L);
+}
+
+/// How many times less exactly than its forces a pad tells its moments: by its centre of pressure.
+Real told_digits(const RealContact& contact) {
+  Real times = 1;
+  if (contact.pad)
+    for (const RealPad::Tilt& tilt : contact.pad->tilts)
+      if (tilt.reach > 0) times = std::max(times, contact.middle().norm() / tilt.gyration);
+  return times;
+}
+
+/// What the balance may be off by, and a force outside of its cone [weights]: what finds grips, and
+/// holds by pads and within limits of drives, ends earlier.
+struct Allowed {
+  Real balance, cone;
+};
+template <int Dim>
+Allowed allowed_of(const RealGrasp& grasp, const HoldClaim<Dim>& hold) {
+  const bool inside = hold.objective == Objective::grip || hold.rates ||
+                      std::any_of(grasp.contacts.begin(), grasp.contacts.end(),
+                                  [](const auto& contact) { return contact.pad.has_value(); });
+  return inside ? Allowed{1e-8L, 1e-9L} : Allowed{1e-11L, 0};
 }
 
 template <int Dim>
@@ -171,31 +176,30 @@ void check_forces(Verdict& verdict, const Path& place, const RealGrasp& grasp, c
   for (std::size_t i = 0; i < hold.contacts.size(); ++i) {
     forces.push_back(check_contact(verdict, (place / "contacts")[i], grasp.contacts[i], load.weight,
                                    hold.contacts[i]));
-    effort += forces[i].squaredNorm() / grasp.contacts[i].share;
+    effort += verify::effort(grasp.contacts[i], forces[i]);
   }
   verdict.check(place / "effort", "effort is that of the forces", difference(hold.effort, effort),
                 1e-11L);
   verdict.check(place / "force_norm", "force_norm is the root of effort",
                 difference(hold.force_norm, std::sqrt(Real{hold.effort})), rounding);
 
+  const Allowed allowed = allowed_of(grasp, hold);
   // What the forces lose by their rounding [weights].
   const Real digits = 1e-14L * (1 + std::sqrt(effort) / load.weight) * Real(forces.size());
   Vec off = wrench(load, real(hold.up));
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const RealContact& contact = grasp.contacts[i];
-    off -= wrench(real(hold.contacts[i].force), contact.position);
-    if (contact.is_soft())
-      off.tail(3) -= Real{hold.contacts[i].torsion_moment.value_or(0)} * contact.normal;
-    verdict.check((place / "contacts")[i],
-                  "force is within the friction cone and its limits [weights]",
-                  outside(contact, forces[i]) / load.weight, digits);
+    off -= contact.G * forces[i];
+    verdict.check(
+        (place / "contacts")[i], "force is within the friction cone and its limits [weights]",
+        outside(contact, forces[i]) / load.weight, allowed.cone + digits * told_digits(contact));
   }
   const Real residual = relative_size(off, load);
-  verdict.check(place, "forces balance the load [weights]", residual, most_off + digits);
+  verdict.check(place, "forces balance the load [weights]", residual, allowed.balance + digits);
   verdict.check(place / "residual", "residual is the error of the balance [weights]",
-                std::abs(hold.residual - residual), most_off + digits);
+                std::abs(hold.residual - residual), 1e-11L + digits);
   check_fingers(verdict, place, grasp, load, hold);
-  check_drives(verdict, place, grasp, hold);
+  check_drives(verdict, place, grasp, hold, forces);
 }
 
 /// Checks the hold of a load that does not decide: it can be held too, with less.
@@ -256,7 +260,7 @@ DualValue dual_value(const RealGrasp& grasp, const RealLoad& load, const HoldCla
   std::vector<Real> rates;
   if (hold.rates && hold.rates->size() == grasp.drives.size())
     rates.assign(hold.rates->begin(), hold.rates->end());
-  return {bound(grasp, w, y, rates), bound_rounding(grasp, w, y)};
+  return {bound(grasp, w, y, rates), bound_rounding(grasp, w, y, rates)};
 }
 
 template <int Dim>
@@ -266,6 +270,31 @@ const RealLoad& deciding_load(const RealGrasp& grasp, const HoldClaim<Dim>& hold
 }
 
 }  // namespace
+
+Real little(const RealGrasp& grasp, std::optional<Objective> objective) {
+  if (objective != Objective::grip) return 0;
+  Real least = infinity;
+  for (const RealDrive& drive : grasp.drives) {
+    const Real length = drive.turns ? grasp.loads.front().radius : 1;
+    least = std::min(least, grasp.greatest_weight() * length / grasp.unit(drive));
+  }
+  return 1e-3L * least;
+}
+
+Real difference(Real a, Real b, Real little) {
+  return a == b ? 0 : std::abs(a - b) / std::max({std::abs(a), std::abs(b), little});
+}
+
+std::optional<std::vector<Real>> real_rates(Verdict& verdict, const Path& place,
+                                            const RealGrasp& grasp,
+                                            const std::optional<std::vector<double>>& given) {
+  std::vector<Real> rates;
+  if (given) rates.assign(given->begin(), given->end());
+  bool right = rates.empty() || rates.size() == grasp.drives.size();
+  for (const Real rate : rates) right = right && rate >= 0 && std::isfinite(rate);
+  verdict.check(place / "rates", "rates are of the drives, and at least 0", right);
+  return right ? std::optional(rates) : std::nullopt;
+}
 
 const RealLoad& load_of(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                         std::size_t scenario) {
@@ -282,8 +311,11 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
   const RealLoad& load = deciding_load(grasp, hold);
   if (hold.holdable) {
     check_forces(verdict, place, grasp, load, hold);
-    verdict.check(place, "force_norm is within the force cap",
-                  std::sqrt(Real{hold.effort}) / (force_cap * grasp.greatest_weight()), 1 + 1e-6L);
+    // The cap is one of the least effort: forces of least grip may need more.
+    if (hold.objective != Objective::grip)
+      verdict.check(place, "force_norm is within the force cap",
+                    std::sqrt(Real{hold.effort}) / (force_cap * grasp.greatest_weight()),
+                    1 + 1e-6L);
     return;
   }
   if (hold.objective == Objective::grip && hold.rates) {
@@ -296,7 +328,7 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
     verdict.unchecked(place / "reason", "is in words");
     return;
   }
-  const auto rates = rates_of(verdict, place, grasp, hold);
+  const auto rates = real_rates(verdict, place, grasp, hold.rates);
   if (!rates) return;
   // The cap is not enough for any load within the tolerance of the balance. A dual so long that its
   // own rounding keeps it from proving that may be shorter.
@@ -304,7 +336,7 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
     const Vec w = wrench(load, real(hold.up)), y = length * real(hold.dual);
     std::vector<Real> speeds = *rates;
     for (Real& speed : speeds) speed *= length;
-    return bound(grasp, w, y, speeds) - bound_rounding(grasp, w, y) -
+    return bound(grasp, w, y, speeds) - bound_rounding(grasp, w, y, speeds) -
            2 * delta * imbalance_power(load, y);
   };
   const Real cap = force_cap * load.weight;
@@ -327,15 +359,11 @@ void check_least_hold(Verdict& verdict, const Path& place, const RealGrasp& gras
   if (hold.objective == Objective::grip) {
     check_grip_bound(verdict, place, grasp, deciding_load(grasp, hold), hold, force_cap);
     const Real grip = hold.grip.value_or(0);
-    Real least = 1e-3L * grasp.greatest_weight();  // of what is looked at closely
-    if (grasp.in_parts)
-      for (const RealDrive& drive : grasp.drives) least = std::min(least, least / drive.max);
-    const Real unit = std::max(grip, least);
     verdict.check(place / "lower_bound", "grip is the least: it is the lower_bound [of grip]",
-                  std::abs(grip - hold.lower_bound) / unit, 1e-6L);
+                  difference(grip, hold.lower_bound, little(grasp, Objective::grip)), 1e-6L);
     return;
   }
-  if (!rates_of(verdict, place, grasp, hold)) return;
+  if (!real_rates(verdict, place, grasp, hold.rates)) return;
   const DualValue dual = dual_value(grasp, deciding_load(grasp, hold), hold);
   const Path of_bound = place / "lower_bound";
   const Real above = hold.lower_bound - dual.bound;

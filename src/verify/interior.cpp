@@ -76,8 +76,10 @@ bool holds_around(const RealGrasp& grasp, const RealLoad& load, Real slack) {
   if (!((hand.G * internal).norm() <= 1e-12L * internal.norm())) return false;
   Real inside = std::numeric_limits<Real>::infinity(), steepest = 0;
   hand.each(internal, [&](const RealContact& contact, const auto& f) {
-    inside = std::min(inside, contact.friction * f[0] - f.tail(f.size() - 1).norm());
+    inside = std::min(inside, friction_left(contact, f));
     steepest = std::max(steepest, contact.friction);
+    if (!contact.pad) return;
+    for (const RealPad::Tilt& tilt : contact.pad->tilts) steepest = std::max(steepest, tilt.most());
   });
   // So much of them is needed for the change to stay within the cones.
   const Real share = (1 + steepest) * change.norm() / inside;

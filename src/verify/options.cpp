@@ -38,11 +38,13 @@ bool has(const std::vector<std::string_view>& keys, std::string_view key) {
 void check_options(Verdict& verdict, int dim, const OptionsClaim& given,
                    const std::vector<std::string_view>& needed,
                    const std::vector<std::string_view>& possible) {
-  const auto& [domain, force_cap, objective, gap, max_holds, tilt, orientation, safety, angle, up] =
-      given;
+  const auto& [domain, present, force_cap, objective, gap, max_holds, tilt, orientation, safety,
+               angle, up] = given;
   const Option options[] = {
       {"force_cap", "is above 0 and at most 1e9", true, force_cap > 0 && force_cap <= 1e9},
       {"domain", "is all in space", domain.has_value(), dim == 2 || domain == Domain::all},
+      {"present_deg", "is in (-180, 180], in the plane", present.has_value(),
+       dim == 2 && present > -180 && present <= 180},
       {"objective", "is told", objective.has_value(), true},
       {"gap", "is above 0 and below 1", gap.has_value(), gap > 0 && gap < 1},
       {"max_holds", "is from 1 to 1000000", max_holds.has_value(),

@@ -10,7 +10,7 @@ namespace {
 void check_same(Verdict& verdict, const RealOptimum& a, const RealOptimum& b,
                 const std::string& words) {
   verdict.check(a.place, words,
-                difference(a.claim.effort, b.claim.effort) + angle_between(a.angle, b.angle),
+                difference(value(a.claim), value(b.claim)) + angle_between(a.angle, b.angle),
                 1e-9L);
 }
 
@@ -22,8 +22,8 @@ struct CheckedCurve {
 
 CheckedCurve check_pieces(Verdict& verdict, const RealGrasp& grasp,
                           const std::vector<ArcClaim>& arcs, const std::vector<Interval>& holdable,
-                          const RealDomain& domain, Real force_cap) {
-  CheckedCurve curve{check_arcs(verdict, grasp, arcs, force_cap), {}};
+                          const RealDomain& domain, const OptionsClaim& options) {
+  CheckedCurve curve{check_arcs(verdict, grasp, arcs, options), {}};
   curve.chains = check_tiling(verdict, curve.arcs, holdable, domain);
   return curve;
 }
@@ -36,7 +36,7 @@ RealDomain domain_of(const RealGrasp& grasp, const OptionsClaim& options) {
 void check_named(Verdict& verdict, const RealGrasp& grasp, const BestDocument<2>& best,
                  const std::vector<RealOptimum>& minima, const std::vector<Chain>& chains) {
   const auto optimum = [&](const char* key, const OptimumClaim& claim, Extremum type) {
-    return check_optimum(verdict, Path() / key, grasp, claim, chains, type, best.options.force_cap);
+    return check_optimum(verdict, Path() / key, grasp, claim, chains, type, best.options);
   };
   check_same(verdict, optimum("best", *best.best, Extremum::min), minima.front(),
              "best is the first of the minima");
@@ -52,28 +52,29 @@ void check_named(Verdict& verdict, const RealGrasp& grasp, const BestDocument<2>
   Real highest = 0;
   for (const Chain& chain : chains)
     for (const RealArc& arc : chain.arcs)
-      highest = std::max(highest, arc.V.greatest(arc.from, arc.to));
+      highest = std::max(highest, arc.value.greatest(arc.from, arc.to));
   const Path place = Path() / "worst";
   verdict.check(place, "where something is held there is a worst posture", best.worst.has_value());
   if (best.worst)
-    verdict.check(place, "worst is the highest V of the arcs",
-                  difference(optimum("worst", *best.worst, Extremum::max).claim.effort, highest),
+    verdict.check(place, "worst is the highest value of the arcs",
+                  difference(value(optimum("worst", *best.worst, Extremum::max).claim), highest,
+                             little(grasp, best.options.objective)),
                   1e-6L);
 }
 
-/// Checks the lower bound on the effort against what is proven.
-void check_bound(Verdict& verdict, const BestDocument<2>& best, const RealOptimum& lowest,
+/// Checks the lower bound on the value against what is proven.
+void check_bound(Verdict& verdict, const RealGrasp& grasp, const BestDocument<2>& best,
                  Real proven) {
   const Path place = Path() / "lower_bound";
   const bool told = best.lower_bound && best.relative_gap;
   verdict.check(place, "where something is held there is a bound and a gap", told);
   if (!told) return;
-  const Real effort = lowest.claim.effort, bound = *best.lower_bound;
-  verdict.check(place, "lower_bound is not above what the y of the arcs prove [of effort]",
-                (bound - proven) / effort, 1e-6L);
-  verdict.check(Path() / "relative_gap", "relative_gap is (effort - lower_bound) / effort",
-                std::abs(*best.relative_gap - (effort - bound) / effort), 1e-14L);
-  const Real gap = (effort - bound) / effort;
+  const Real lowest = value(*best.best), bound = *best.lower_bound;
+  verdict.check(place, "lower_bound is not above what the y of the arcs prove [of the best]",
+                (bound - proven) / std::max(lowest, little(grasp, best.options.objective)), 1e-6L);
+  const Real gap = lowest > 0 ? (lowest - bound) / lowest : 0;
+  verdict.check(Path() / "relative_gap", "relative_gap is (value - lower_bound) / value",
+                std::abs(*best.relative_gap - gap), 1e-14L);
   if (best.status == Status::optimal)
     verdict.check(place, "the best is optimal: the gap is closed", gap, 1e-6L);
   else
@@ -84,48 +85,52 @@ void check_bound(Verdict& verdict, const BestDocument<2>& best, const RealOptimu
 }  // namespace
 
 void check_curve(Verdict& verdict, const RealGrasp& grasp, const CurveDocument& curve) {
-  check_options(verdict, grasp.dim, curve.options, {"domain"});
-  const Real cap = curve.options.force_cap;
+  const OptionsClaim& options = curve.options;
+  check_options(verdict, grasp.dim, options, {"domain", "present_deg", "objective"});
   const auto [arcs, chains] = check_pieces(verdict, grasp, curve.arcs, curve.holdable_arcs_deg,
-                                           domain_of(grasp, curve.options), cap);
+                                           domain_of(grasp, options), options);
   const Path list = Path() / "optima";
   std::vector<RealOptimum> minima, maxima;
   for (std::size_t k = 0; k < curve.optima.size(); ++k) {
     const Extremum type = curve.optima[k].type.value_or(Extremum::min);
     auto& optima = type == Extremum::max ? maxima : minima;
-    optima.push_back(check_optimum(verdict, list[k], grasp, curve.optima[k], chains, type, cap));
+    optima.push_back(
+        check_optimum(verdict, list[k], grasp, curve.optima[k], chains, type, options));
     verdict.check(list[k] / "type", "minima come before maxima",
                   type == Extremum::max || maxima.empty());
   }
-  check_complete(verdict, list, minima, chains, Extremum::min);
-  check_complete(verdict, list, maxima, chains, Extremum::max);
+  const Real present = radians_of(options.present_deg.value_or(0));
+  check_complete(verdict, list, minima, chains, Extremum::min, present);
+  check_complete(verdict, list, maxima, chains, Extremum::max, present);
   verdict.unchecked(Path() / "holdable_arcs_deg",
                     "that no posture beside them can be held: best proves it");
 }
 
 void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<2>& best) {
-  check_options(verdict, grasp.dim, best.options, {"domain"});
-  const Real cap = best.options.force_cap;
-  const RealDomain domain = domain_of(grasp, best.options);
+  const OptionsClaim& options = best.options;
+  check_options(verdict, grasp.dim, options, {"domain", "present_deg", "objective"});
+  const RealDomain domain = domain_of(grasp, options);
   const auto [arcs, chains] =
-      check_pieces(verdict, grasp, best.arcs, best.holdable_arcs_deg, domain, cap);
-  check_unholdable(verdict, grasp, best.unholdable_arcs, cap);
-  const Real proven = check_cover(verdict, grasp, arcs, best.unholdable_arcs, domain, best.status);
+      check_pieces(verdict, grasp, best.arcs, best.holdable_arcs_deg, domain, options);
+  check_unholdable(verdict, grasp, best.unholdable_arcs, options.force_cap);
+  const Real proven =
+      check_cover(verdict, grasp, arcs, best.unholdable_arcs, domain, best.status, options);
   const Path list = Path() / "minima";
   std::vector<RealOptimum> minima;
   for (std::size_t k = 0; k < best.minima.size(); ++k) {
     verdict.check(list[k] / "type", "type is told of the optima of a curve", !best.minima[k].type);
     minima.push_back(
-        check_optimum(verdict, list[k], grasp, best.minima[k], chains, Extremum::min, cap));
+        check_optimum(verdict, list[k], grasp, best.minima[k], chains, Extremum::min, options));
   }
-  check_complete(verdict, list, minima, chains, Extremum::min);
+  check_complete(verdict, list, minima, chains, Extremum::min,
+                 radians_of(options.present_deg.value_or(0)));
   verdict.check(Path() / "best", "best is null where there are no minima",
                 !best.best == minima.empty());
   verdict.check(Path() / "status", "status is unholdable only where there are no minima",
                 best.status != (minima.empty() ? Status::optimal : Status::unholdable));
   if (best.best && !minima.empty()) {
     check_named(verdict, grasp, best, minima, chains);
-    check_bound(verdict, best, minima.front(), proven);
+    check_bound(verdict, grasp, best, proven);
     return;
   }
   for (const auto& [key, null] :

@@ -92,7 +92,7 @@ void check_minima(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3
   for (std::size_t k = 1; k < best.minima.size(); ++k)
     verdict.check(list, "minima are in the order of what they need",
                   (value(best.minima[k - 1]) - value(best.minima[k])) / value(best.minima[k]),
-                  1e-8L);
+                  2e-8L);
   verdict.unchecked(list, "that they are all, and minima, and no two the same: each is a hold");
 }
 
@@ -112,7 +112,7 @@ void check_pinched(Verdict& verdict, const RealGrasp& grasp, const BestDocument<
   for (const HoldClaim<3>& minimum : best.minima)
     if (minimum.manner == Manner::pinched && is_surely_inside(grasp, best.options.tilt, minimum))
       verdict.check(place, "best_pinched is no higher than a pinched minimum inside the domain",
-                    pinched ? value(*pinched) / value(minimum) : 2, 1 + 1e-8L);
+                    pinched ? value(*pinched) / value(minimum) : 2, 1 + 2e-8L);
   if (!pinched) return;
   check_in_domain(verdict, place, grasp, best.options, *pinched);
   verdict.check(place, "best_pinched is pinched", pinched->manner == Manner::pinched);

@@ -43,16 +43,115 @@ Real relative_size(const Vec& w, const RealLoad& load) {
   return std::max(size, moment.norm() / (load.weight * load.radius));
 }
 
-Real outside(const RealContact& contact, const Vec& force) {
+namespace {
+
+/// Calls f(tangential force, its part of the friction) for all points of a contact, and
+/// f(moment, greatest part) for what moves the centre of pressure of a pad.
+template <class OfPoint, class OfTilt>
+void for_each_part(const RealContact& contact, const Vec& force, const OfPoint& of_point,
+                   const OfTilt& of_tilt) {
+  if (!contact.pad) return of_point(force.tail(force.size() - 1), Real{1});
+  Eigen::Index at = 1;
+  for (const RealPad::Point& point : contact.pad->points) {
+    of_point(force.segment(at, 2), point.share);
+    at += 2;
+  }
+  for (const RealPad::Tilt& tilt : contact.pad->tilts) of_tilt(force[at++], tilt.most());
+}
+
+/// The normal force of a pad at which what is left of z . f - effort / 2 is greatest, without its
+/// limits: the root of (2) of the design, the right-hand side of which falls.
+Real normal_of_pad(const RealContact& contact, const Vec& z) {
   const Real mu = contact.friction;
-  const Real beside = force.tail(force.size() - 1).norm() - mu * force[0];
-  return std::max({Real{0}, contact.least - force[0], force[0] - contact.most,
-                   beside / std::sqrt(1 + mu * mu)});
+  const auto right = [&](Real normal) {
+    Real sum = z[0];
+    for_each_part(
+        contact, z,
+        [&](const auto& t, Real part) {
+          sum += mu * part * std::max(Real{0}, t.norm() - mu * normal);
+        },
+        [&](Real m, Real most) { sum += most * std::max(Real{0}, std::abs(m) - most * normal); });
+    return sum;
+  };
+  Real low = 0, high = right(0);
+  if (!(high > 0)) return 0;
+  for (int step = 0; step < 80; ++step) {
+    const Real normal = (low + high) / 2;
+    (right(normal) > normal ? low : high) = normal;
+  }
+  return (low + high) / 2;
+}
+
+Vec project_on_pad(const RealContact& contact, const Vec& z) {
+  const Real mu = contact.friction;
+  const Real normal = std::clamp(normal_of_pad(contact, z), contact.least, contact.most);
+  Vec f(z.size());
+  Eigen::Index at = 0;
+  f[at++] = normal;
+  for_each_part(
+      contact, z,
+      [&](const auto& t, Real part) {
+        const Real length = t.norm();
+        f.segment(at, 2) = part * (length > mu * normal ? mu * normal / length : 1) * t;
+        at += 2;
+      },
+      [&](Real m, Real most) { f[at++] = std::clamp(m, -most * normal, most * normal); });
+  return f;
+}
+
+}  // namespace
+
+Real friction_left(const RealContact& contact, const Vec& force) {
+  const Real mu = contact.friction;
+  Real left = std::numeric_limits<Real>::infinity();
+  for_each_part(
+      contact, force,
+      [&](const auto& t, Real part) { left = std::min(left, mu * part * force[0] - t.norm()); },
+      [&](Real m, Real most) {
+        if (most > 0) left = std::min(left, most * force[0] - std::abs(m));
+      });
+  return left;
+}
+
+Real outside(const RealContact& contact, const Vec& force) {
+  Real off = std::max({Real{0}, contact.least - force[0], force[0] - contact.most});
+  const auto use = [&](Real size, Real steep) {
+    off = std::max(off, (size - steep * force[0]) / std::sqrt(1 + steep * steep));
+  };
+  for_each_part(
+      contact, force, [&](const auto& t, Real part) { use(t.norm(), contact.friction * part); },
+      [&](Real m, Real most) { use(std::abs(m), most); });
+  return off;
+}
+
+Real effort(const RealContact& contact, const Vec& force) {
+  Real sum = force[0] * force[0];
+  for_each_part(
+      contact, force, [&](const auto& t, Real part) { sum += t.squaredNorm() / part; },
+      [&](Real m, Real) { sum += m * m; });
+  return sum / contact.share;
+}
+
+Real sliding(const RealContact& contact, const Vec& z) {
+  Real least = std::numeric_limits<Real>::infinity();
+  for_each_part(
+      contact, z, [&](const auto& t, Real) { least = std::min(least, t.norm()); },
+      [](Real, Real) {});
+  return least;
+}
+
+Real power(const RealContact& contact, const Vec& z) {
+  Real sum = z[0];
+  for_each_part(
+      contact, z, [&](const auto& t, Real part) { sum += contact.friction * part * t.norm(); },
+      [&](Real m, Real most) { sum += most * std::abs(m); });
+  return sum;
 }
 
 // The cone is round in the tangential part: what is nearest lies in the half-plane (n, t) of z,
 // inside or on one of the sides of the trapezoid.
 Vec project(const RealContact& contact, const Vec& z) {
+  if (contact.pad) return project_on_pad(contact, z);
   if (outside(contact, z) <= 0) return z;
   const Real mu = contact.friction;
   const Real zn = z[0], zt = z.tail(z.size() - 1).norm();
@@ -72,7 +171,7 @@ Vec project(const RealContact& contact, const Vec& z) {
 
 Real phi(const RealContact& contact, const Vec& z) {
   const Vec f = project(contact, contact.share * z);
-  return z.dot(f) - f.squaredNorm() / contact.share / 2;
+  return z.dot(f) - effort(contact, f) / 2;
 }
 
 Real phi(const RealGrasp& grasp, const Vec& y) {
@@ -85,11 +184,16 @@ Real bound(const RealGrasp& grasp, const Vec& w, const Vec& y) {
   return 2 * (y.dot(w) - phi(grasp, y));
 }
 
-Real bound_rounding(const RealGrasp& grasp, const Vec& w, const Vec& y) {
-  const Vec size = y.cwiseAbs();
-  Real sum = size.dot(w.cwiseAbs());
+Real bound_rounding(const RealGrasp& grasp, const Vec& w, const Vec& y,
+                    const std::vector<Real>& rates) {
+  Real sum = y.cwiseAbs().dot(w.cwiseAbs());
+  for (std::size_t a = 0; a < rates.size(); ++a)
+    if (rates[a] > 0) sum += rates[a] * grasp.drives[a].max;
   for (const RealContact& contact : grasp.contacts) {
-    const Vec force = project(contact, contact.share * (contact.G.transpose() * y));
+    const Vec left = against(grasp, contact.finger, y, rates);
+    // y, and what drives move of the finger.
+    const Vec size = y.cwiseAbs() + (left - y).cwiseAbs();
+    const Vec force = project(contact, contact.share * (contact.G.transpose() * left));
     sum += force.cwiseAbs().dot(contact.G.cwiseAbs().transpose() * size);
   }
   return 16 * std::numeric_limits<Real>::epsilon() * sum;
@@ -130,6 +234,41 @@ RealContact real_contact(const Contact<Dim>& contact) {
   return result;
 }
 
+/// The distance of the points from their middle across an axis, as the root of the mean of squares;
+/// of points in a row along it as if they were spread evenly over the reach.
+Real gyration_about(const RealPad& pad, const Vec& across, Real reach) {
+  Real square = 0;
+  for (const RealPad::Point& point : pad.points)
+    square += point.share * std::pow(across.dot(point.place - pad.middle), 2);
+  return std::sqrt(square) > 1e-6L * reach ? std::sqrt(square) : reach / std::sqrt(Real{3});
+}
+
+/// Makes a pad of what is already a point contact.
+void add_pad(const Pad& given, RealContact& contact) {
+  RealPad& pad = contact.pad.emplace();
+  pad.middle = Vec::Zero(3);
+  for (std::size_t k = 0; k < given.points.size(); ++k) {
+    pad.points.push_back({real(given.points[k]), given.shares[k]});
+    pad.middle += pad.points[k].share * pad.points[k].place;
+  }
+  const Vec along = real(given.axis);
+  const Vec across = contact.normal.head<3>().cross(along.head<3>());
+  pad.tilts = {{along, given.reach[1], gyration_about(pad, across, given.reach[1])},
+               {across, given.reach[0], gyration_about(pad, along, given.reach[0])}};
+  const Mat t = tangents(contact.normal);
+  const auto count = static_cast<Eigen::Index>(pad.points.size());
+  contact.G = Mat::Zero(6, 1 + 2 * count + 2);
+  contact.G.col(0) = wrench(contact.normal, contact.middle());
+  for (Eigen::Index k = 0; k < count; ++k)
+    for (int side = 0; side < 2; ++side)
+      contact.G.col(1 + 2 * k + side) =
+          wrench(t.col(side), contact.position + pad.points[static_cast<std::size_t>(k)].place);
+  for (int c = 0; c < 2; ++c) {
+    const RealPad::Tilt& tilt = pad.tilts[static_cast<std::size_t>(c)];
+    contact.G.col(1 + 2 * count + c).tail(3) = tilt.gyration * tilt.axis;
+  }
+}
+
 }  // namespace
 
 Real RealGrasp::greatest_weight() const {
@@ -152,8 +291,10 @@ RealGrasp real_grasp(const Grasp<Dim>& grasp) {
         real_drive.moves.push_back({moved.finger, real(moved.twist)});
     }
   }
-  for (const Contact<Dim>& contact : grasp.contacts())
+  for (const Contact<Dim>& contact : grasp.contacts()) {
     result.contacts.push_back(real_contact(contact));
+    if (contact.pad) add_pad(*contact.pad, result.contacts.back());
+  }
   for (const Load<Dim>& load : grasp.loads()) {
     RealLoad& real_load = result.loads.emplace_back();
     real_load = {load.weight, real(load.com), real(load.fixed)};
@@ -191,8 +332,8 @@ Real grip_bound(const RealGrasp& grasp, const Vec& w, const Vec& y, const std::v
   Real sum = y.dot(w);
   for (const RealContact& contact : grasp.contacts) {
     const Vec z = contact.G.transpose() * against(grasp, contact.finger, y, speeds);
-    const Real power = z[0] + contact.friction * z.tail(z.size() - 1).norm();
-    sum -= power * (power <= 0 ? contact.least : std::min(contact.most, cap));
+    const Real most = power(contact, z);
+    sum -= most * (most <= 0 ? contact.least : std::min(contact.most, cap));
   }
   return sum;
 }
@@ -211,21 +352,23 @@ RealGrasp with_friction(RealGrasp grasp, Real factor) {
 }
 
 WeightBound weight_bound(const RealGrasp& grasp, const RealLoad& load, const Vec& up, const Vec& y,
-                         Real cap) {
+                         const std::vector<Real>& rates, Real cap) {
   WeightBound bound{0, -y.dot(load.fixed)};
+  for (std::size_t a = 0; a < rates.size(); ++a)
+    if (rates[a] > 0) bound.fixed += rates[a] * grasp.drives[a].max;
   Real squared = 0;
   for (const RealContact& contact : grasp.contacts) {
-    const Vec z = contact.G.transpose() * y;
+    const Vec z = contact.G.transpose() * against(grasp, contact.finger, y, rates);
     // What a force with normal force 1 can do against y at most.
-    const Real power = z[0] + contact.friction * z.tail(z.size() - 1).norm();
+    const Real most = power(contact, z);
     if (std::isfinite(contact.most)) {
-      bound.fixed += std::max(contact.least * power, contact.most * power);
+      bound.fixed += std::max(contact.least * most, contact.most * most);
       continue;
     }
-    bound.fixed += contact.least * power;
+    bound.fixed += contact.least * most;
     RealContact whole = contact;
     whole.least = 0;
-    squared += contact.share * project(whole, z).squaredNorm();
+    squared += effort(whole, project(whole, contact.share * z));
   }
   const RealLoad newton{1, load.com, Vec::Zero(y.size()), load.radius};
   bound.gain =

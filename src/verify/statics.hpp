@@ -2,6 +2,7 @@
 // in space alike: docs/certificate.md. Nothing here knows how answers are found.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,16 +23,39 @@ Vec real(const Eigen::Matrix<double, Size, 1>& numbers) {
   return numbers.template cast<Real>();
 }
 
+/// What a pad has beside its normal force.
+struct RealPad {
+  struct Point {
+    Vec place;  ///< from the contact's position
+    Real share{0};
+  };
+  /// A moment about an axis in the pad's plane, which moves the centre of pressure across it.
+  struct Tilt {
+    Vec axis;
+    Real reach{0}, gyration{0};
+
+    Real most() const { return reach > 0 ? reach / gyration : 0; }
+  };
+  std::vector<Point> points;
+  std::vector<Tilt> tilts;
+  Vec middle;  ///< the mean of the points by their shares, from the contact's position
+};
+
 /// A contact; its force is written along the normal, then along the tangents, and for a soft finger
-/// there follows its moment about the normal, times friction / torsion.
+/// there follows its moment about the normal, times friction / torsion. For a pad: along the
+/// normal, along the tangents at each of its points, and the moments that move the centre of
+/// pressure, over the gyration radius of its points.
 struct RealContact {
   std::string finger;
   Vec position, normal;                           ///< the normal points inwards and has length 1
   Real friction{0}, least{0}, most{0}, share{1};  ///< least and most: of the normal force
   Real torsion{0};                                ///< [m], 0 for a hard finger
   Mat G;                                          ///< the wrench of such a force, about the origin
+  std::optional<RealPad> pad{};
 
-  bool is_soft() const { return G.cols() == 4; }
+  bool is_soft() const { return !pad && G.cols() == 4; }
+  /// Where the normal force acts; of a pad the middle.
+  Vec middle() const { return pad ? Vec(position + pad->middle) : position; }
 };
 
 struct RealLoad {
@@ -61,6 +85,7 @@ struct RealGrasp {
   std::vector<Vec> closing;          ///< of the fingers; zero where it is not known
   std::vector<RealDrive> drives;     ///< none where fingers without a closing direction have them
   bool in_parts{false};              ///< grip is told in parts of the drives' max
+  bool within_max{true};             ///< whether the drives' max limits what they give
 
   /// What the grip counts of a drive's effort as 1.
   Real unit(const RealDrive& drive) const { return in_parts ? drive.max : 1; }
@@ -86,11 +111,19 @@ Real turning(const Vec& y);
 /// Force / W and moment / (W L) of a wrench, the moment about the com: the larger.
 Real relative_size(const Vec& wrench, const RealLoad& load);
 
+/// What friction leaves to a force, at the point of a pad that has least left.
+Real friction_left(const RealContact& contact, const Vec& force);
 /// How far a force is outside of its friction cone and limits.
 Real outside(const RealContact& contact, const Vec& force);
-/// The nearest point to z of the friction cone, cut at its limits.
+/// What a force counts in the effort.
+Real effort(const RealContact& contact, const Vec& force);
+/// How fast the contact slides, at the point of a pad that slides least.
+Real sliding(const RealContact& contact, const Vec& z);
+/// The most that a force with normal force 1 can do against z.
+Real power(const RealContact& contact, const Vec& z);
+/// The force in the friction cone, within its limits, of which z . f - effort / 2 is greatest.
 Vec project(const RealContact& contact, const Vec& z);
-/// The greatest z . f - |f|^2 / (2 share) of forces f in the cone, and for y the sum over contacts.
+/// The greatest z . f - effort / 2 of forces f in the cone, and for y the sum over contacts.
 Real phi(const RealContact& contact, const Vec& z);
 Real phi(const RealGrasp& grasp, const Vec& y);
 /// 2 (y . w - phi(G^T y)): no forces that balance w have less effort.
@@ -104,8 +137,9 @@ Real bound(const RealGrasp& grasp, const Vec& w, const Vec& y, const std::vector
 /// without a limit with forces of at most `cap` [N].
 Real grip_bound(const RealGrasp& grasp, const Vec& w, const Vec& y, const std::vector<Real>& rates,
                 Real cap);
-/// How far rounding may take that bound: a long y leaves it few digits.
-Real bound_rounding(const RealGrasp& grasp, const Vec& w, const Vec& y);
+/// How far rounding may take the bound on the effort: a long y leaves it few digits.
+Real bound_rounding(const RealGrasp& grasp, const Vec& w, const Vec& y,
+                    const std::vector<Real>& rates);
 /// |v| + L |omega| times the weight, v at the com: the power of y on an imbalance of 1 at most.
 Real imbalance_power(const RealLoad& load, const Vec& y);
 
@@ -115,6 +149,6 @@ struct WeightBound {
   Real gain{0}, fixed{0};
 };
 WeightBound weight_bound(const RealGrasp& grasp, const RealLoad& load, const Vec& up, const Vec& y,
-                         Real cap);
+                         const std::vector<Real>& rates, Real cap);
 
 }  // namespace poise::verify

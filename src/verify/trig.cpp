@@ -34,6 +34,21 @@ Real least(const Vec3& g, Real from, Real to) {
   return value;
 }
 
+Real greatest_size(const Vec3& g, Real from, Real to) {
+  return -std::min(least(g, from, to), least(-g, from, to));
+}
+
+Real relative_size(const Mat3& wrenches, const RealLoad& load, Real from, Real to) {
+  Mat3 about_com = wrenches;
+  for (int k = 0; k < 3; ++k) about_com(2, k) -= wrench(wrenches.col(k).head(2), load.com)[2];
+  Real size = 0;
+  for (int row = 0; row < 3; ++row) {
+    const Real unit = load.weight * (row < 2 ? 1 : load.radius);
+    if (unit > 0) size = std::max(size, greatest_size(about_com.row(row), from, to) / unit);
+  }
+  return size;
+}
+
 Mat3 load_matrix(const RealLoad& load) {
   Mat3 w;
   w << 0, 0, 1, 0, 1, 0, 0, load.com[0], -load.com[1];
@@ -93,5 +108,6 @@ Real Effort::greatest(Real from, Real to) const {
 }
 
 Effort effort_of(const Harmonic2& V) { return {V.c0, V.cos1, V.sin1, V.cos2, V.sin2}; }
+Effort effort_of(const Harmonic1& F) { return {F.c0, F.cos1, F.sin1, 0, 0}; }
 
 }  // namespace poise::verify

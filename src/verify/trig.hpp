@@ -33,11 +33,15 @@ Real angle_between(Real a, Real b);
 
 /// The least value of g . harmonics(theta) in an interval.
 Real least(const Vec3& g, Real from, Real to);
+/// The greatest size of that value.
+Real greatest_size(const Vec3& g, Real from, Real to);
+/// How far wrenches, times harmonics(theta), are from 0 in an interval: as relative_size().
+Real relative_size(const Mat3& wrenches, const RealLoad& load, Real from, Real to);
 
 /// The load about the origin is this matrix times harmonics(theta).
 Mat3 load_matrix(const RealLoad& load);
 
-/// c0 + cos1 cos + sin1 sin + cos2 cos 2 theta + sin2 sin 2 theta
+/// V or F: c0 + cos1 cos + sin1 sin + cos2 cos 2 theta + sin2 sin 2 theta
 struct Effort {
   Real c0{0}, cos1{0}, sin1{0}, cos2{0}, sin2{0};
 
@@ -51,7 +55,8 @@ struct Effort {
   Real least(Real from, Real to) const;
   Real greatest(Real from, Real to) const;
 };
-/// That of an answer.
+/// Those of an answer.
 Effort effort_of(const Harmonic2& V);
+Effort effort_of(const Harmonic1& F);
 
 }  // namespace poise::verify

@@ -68,7 +68,7 @@ void check_reading(Verdict& verdict, const Grasp<Dim>& grasp, const FileOf<Dim>*
     for_each_contact_field<Dim>([&](const char* name, auto member) {
       same((Path() / "contacts")[i], name, check.contacts[i].*member, grasp.contacts()[i].*member);
     });
-  for (const char* const key : {"name", "shape", "force_closure", "cradled_deg", "warnings"})
+  for (const char* const key : {"name", "shape", "force_closure", "fork_deg", "warnings"})
     verdict.unchecked(Path() / key, "follows from the file");
   if (file) {
     verdict.check(Path() / "safety", "safety is that of the file",
@@ -104,23 +104,36 @@ struct Checker {
     else
       verdict.note("Whether up is the posture of the file is not known here.");
   }
-  void operator()(const BestDocument<Dim>& best) { check_best(verdict, grasp, best); }
+  void operator()(const BestDocument<Dim>& best) {
+    check_best(verdict, grasp, best);
+    check_present(best.options);
+  }
   void operator()(const CapacityDocument<Dim>& capacity) {
     check_capacity(verdict, grasp, capacity, now);
   }
-  void operator()(const CurveDocument& curve) { check_curve(verdict, grasp, curve); }
+  void operator()(const CurveDocument& curve) {
+    check_curve(verdict, grasp, curve);
+    check_present(curve.options);
+  }
+
+ private:
+  /// Checks that of ties the nearest to the file's posture was asked for.
+  void check_present(const OptionsClaim& options) {
+    if (!options.present_deg) return;
+    const Path place = Path() / "options" / "present_deg";
+    if (now.known)
+      verdict.check(place, "present_deg is the posture of the file, or 0",
+                    (up_at(radians_of(*options.present_deg)) - now.up.value_or(upright(2))).norm(),
+                    rounding);
+    else
+      verdict.unchecked(place, "is of the file, which is not at hand");
+  }
 };
 
 template <int Dim>
 Verdict verdict_of(const Grasp<Dim>& grasp, const FileOf<Dim>* file,
                    const AnyDocument<Dim>& document) {
   Verdict verdict;
-  if (std::any_of(grasp.contacts().begin(), grasp.contacts().end(),
-                  [](const Contact<Dim>& contact) { return contact.pad.has_value(); }) &&
-      !std::holds_alternative<CheckDocument<Dim>>(document)) {
-    verdict.check({}, "what the points of a pad carry is told, which results do not", false);
-    return verdict;
-  }
   std::visit(Checker<Dim>{verdict, grasp, file}, document);
   return verdict;
 }

@@ -26,7 +26,7 @@ Task task(Decoder& decoder) {
   Task task;
   task.file.loads = {decoder.object<2>()};
   if (decoder.coin()) task.file.safety = 1 + decoder.positive();
-  task.settings.domain = decoder.coin() ? Domain::all : Domain::pinched;
+  task.settings.domain = decoder.coin() ? Domain::all : Domain::pinching_up;
   if (decoder.coin()) task.settings.force_cap = std::min(1e9, 10 * decoder.positive());
   task.file.contacts =
       decoder.contacts(task.file.loads[0], 12, [&] { return up_at(decoder.angle()); });
@@ -43,7 +43,7 @@ class Judge {
     if (right) return;
     std::fprintf(stderr, "WRONG: %s, at %.17g\n%s\ndomain: %s, force_cap: %.17g\n", what, at,
                  grasp_document(task_.file).c_str(),
-                 task_.settings.domain == Domain::all ? "all" : "pinched",
+                 task_.settings.domain == Domain::all ? "all" : "pinching-up",
                  task_.settings.force_cap);
     std::abort();
   }
@@ -81,8 +81,8 @@ class Judge {
       demand(arc.from >= last - 1e-7, "curve: arcs are in order", arc.from);
       demand(arc.first_state + grasp_.contacts().size() <= curve.states.size(), "curve: states",
              arc.from);
-      demand(std::isfinite(arc.V(arc.from)) && std::isfinite(arc.V(arc.to)), "curve: V is finite",
-             arc.from);
+      demand(std::isfinite(arc.value(arc.from)) && std::isfinite(arc.value(arc.to)),
+             "curve: V is finite", arc.from);
       for (const Harmonic1& y : arc.y)
         demand(std::isfinite(y(arc.from)), "curve: y is finite", arc.from);
       covered += arc.to - arc.from;
@@ -102,7 +102,7 @@ class Judge {
              "curve: a holdable interval", part.from);
     demand(curve.optima.empty() == curve.arcs.empty(), "curve: optima where it holds", 0);
     for (const Optimum& optimum : curve.optima) {
-      demand(std::isfinite(optimum.effort), "curve: the effort of an optimum", optimum.angle);
+      demand(std::isfinite(optimum.value), "curve: the effort of an optimum", optimum.angle);
       demand(optimum.from <= optimum.to, "curve: the stretch of an optimum", optimum.angle);
       demand(optimum.angle > -pi && optimum.angle <= pi, "curve: the angle of an optimum",
              optimum.angle);
@@ -118,7 +118,7 @@ class Judge {
     demand(std::isfinite(best.lower_bound), "best: lower_bound is finite", 0);
     for (const Minimum<2>& minimum : best.minima) judge(minimum.hold(), minimum.optimum.angle);
     if (best.holdable())
-      demand(best.lower_bound <= best.minima.front().optimum.effort * (1 + 1e-3),
+      demand(best.lower_bound <= best.minima.front().optimum.value * (1 + 1e-3),
              "best: lower_bound is one", best.lower_bound);
   }
 

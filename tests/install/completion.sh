@@ -35,8 +35,8 @@ expect disk.json,disk.yaml poise hold --angle 20 d
 expect disk.json,disk.yaml poise --json hold d
 expect 'two words.yml' poise hold two
 expect disk.json poise verify disk.yaml disk.j
-expect all,pinched poise best disk.yaml --domain ''
-expect pinched poise curve --domain p
+expect all,pinching-up poise best disk.yaml --domain ''
+expect pinching-up poise curve --domain p
 expect best,hold poise batch --what ''
 expect grasps.h5,grasps.jsonl,parts poise batch ''
 expect parts,picture.svg poise curve disk.yaml --plot ''

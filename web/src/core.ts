@@ -32,7 +32,8 @@ export interface Held<P> extends Posture<P> {
   effort: number;
   force_norm: number;
   manner: Manner;
-  grip_force: number;
+  /** Null where a finger has no closing direction. */
+  grip: number | null;
   fingers: { finger: string; normal_force: number; force: P }[];
   contacts: ContactForce<P>[];
 }
@@ -111,7 +112,7 @@ interface AnyCheck<P, Shape> {
 export interface Check extends AnyCheck<Point, PlanarShape> {
   weight: number;
   com: Point;
-  cradled_deg: Range | null;
+  fork_deg: Range | null;
 }
 
 export interface SpatialCheck extends AnyCheck<Vec, SpatialShape> {

@@ -53,7 +53,7 @@ export interface SpatialGrasp extends AnyGrasp<Vec> {
 
 export type Grasp = PlanarGrasp | SpatialGrasp;
 
-export type Domain = 'all' | 'pinched';
+export type Domain = 'all' | 'pinching-up';
 
 /** What the object may be: parts of the grasp, to be changed there. */
 export const scenariosOf = ({ object }: SpatialGrasp): Scenario[] =>

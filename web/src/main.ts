@@ -61,7 +61,7 @@ function tell(element: HTMLElement, words: string[], kind: 'p' | 'span'): void {
 function drawWords(at: string, hold: AnyHold, reasons: string[], problem: string, warnings: string[]): void {
   // No line ends between a number and its unit.
   tell(find('verdict'), hold.holdable
-    ? [`At ${at} ${hold.manner}:`, `force norm √V ${newtons(hold.force_norm)},`, `effort V ${plain(hold.effort)} N²,`, `grip force ${newtons(hold.grip_force)}`]
+    ? [`At ${at} ${hold.manner}:`, `force norm √V ${newtons(hold.force_norm)},`, `effort V ${plain(hold.effort)} N²,`, `grip ${hold.grip === null ? '–' : newtons(hold.grip)}`]
     : [`At ${at} it cannot be held`], 'span');
   find('verdict').classList.toggle('not-held', !hold.holdable);
   tell(find('why'), reasons.map((each) => each.replace(/(\d) (?=N|%)/g, '$1\u00a0')), 'p');
@@ -114,7 +114,7 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
         this.plot.view[key] = this.boxes[key].checked;
         this.draw();
       });
-    this.pinched.addEventListener('change', () => this.model.choose(this.pinched.checked ? 'pinched' : 'all'));
+    this.pinched.addEventListener('change', () => this.model.choose(this.pinched.checked ? 'pinching-up' : 'all'));
     this.model.onChange(() => sheet === this && this.draw());
     this.suit();
   }
@@ -122,7 +122,7 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
   private suit(): void {
     this.plot.suitScale();
     this.boxes.logarithmic.checked = this.plot.view.logarithmic;
-    this.pinched.checked = this.model.domain === 'pinched';
+    this.pinched.checked = this.model.domain === 'pinching-up';
   }
 
   load(grasp: PlanarGrasp): void {
@@ -133,7 +133,7 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
 
   current(): PlanarGrasp {
     const { grasp, angle, domain } = this.model;
-    return { ...structuredClone(grasp), angle_deg: angle, ...(domain === 'pinched' && { domain }) };
+    return { ...structuredClone(grasp), angle_deg: angle, ...(domain === 'pinching-up' && { domain }) };
   }
 
   pictures(): Picture[] {
@@ -153,7 +153,7 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
     this.scene.draw();
     this.boxes.bounds.disabled = !asPaper(answers.grasp) || this.plot.view.squared;
     this.boxes.bounds.parentElement!.hidden = !asPaper(answers.grasp);
-    find('key-cradled').hidden = !answers.check.cradled_deg;
+    find('key-cradled').hidden = !answers.check.fork_deg;
     find('key-unholdable').hidden = !answers.best.unholdable_arcs.length;
     this.plot.draw();
     this.controls.draw();

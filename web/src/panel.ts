@@ -230,7 +230,7 @@ function buttons(parent: HTMLElement, rows: { kind: Kind; first: string; hold: A
         mark,
         html('span', { class: 'angle' }, first),
         html('span', { class: 'force' }, `${plain(hold.force_norm)} N`),
-        html('span', { class: 'grip' }, `grip ${newtons(hold.grip_force)}`),
+        html('span', { class: 'grip' }, `grip ${hold.grip === null ? '–' : newtons(hold.grip)}`),
         html('span', { class: 'what' }, what),
         html('strong', {}, role));
       if (here) button.setAttribute('aria-current', 'true');

@@ -156,7 +156,7 @@ export class Plot {
       );
     const { check, best } = this.model.answers;
     return [
-      ...(check.cradled_deg ? shade(check.cradled_deg, 'cradled') : []),
+      ...(check.fork_deg ? shade(check.fork_deg, 'cradled') : []),
       ...best.unholdable_arcs.flatMap((arc) => shade([arc.from_deg, arc.to_deg], 'unholdable')),
     ];
   }

@@ -51,7 +51,7 @@ function contactsInWords(contacts: Contacts, hold: AnyHeld): string {
   }
   const manner = {
     resting: 'It rests on what carries it',
-    cradled: 'It lies in the fork of the fingers',
+    cradled: 'It would be held without any friction',
     pinched: 'The fingers squeeze it, so that friction carries the weight',
   }[hold.manner];
   return `${manner}: ${parts.join('; ')}.`;
@@ -66,7 +66,7 @@ function stillHolds({ weight, holdable, greatest_weight, friction_factor }: Marg
 }
 
 const leftOut = ({ best, check }: PlanarAnswers, angle: number) =>
-  best.options.domain === 'pinched' && check.cradled_deg !== null && contains(check.cradled_deg, angle);
+  best.options.domain === 'pinching-up' && check.fork_deg !== null && contains(check.fork_deg, angle);
 
 function further(answers: PlanarAnswers, angle: number, hold: Held<Point>, optimum: Optimum | undefined): string {
   // In newtons of force norm per degree: d sqrt(V) = dV / (2 sqrt(V)).
@@ -77,7 +77,7 @@ function further(answers: PlanarAnswers, angle: number, hold: Held<Point>, optim
   const said = (side: 1 | -1) => {
     const way = side > 0 ? 'counter-clockwise' : 'clockwise';
     const by = change(side);
-    if (by === undefined && leftOut(answers, angle + 0.01 * side)) return `${way} the postures are cradled, and left out`;
+    if (by === undefined && leftOut(answers, angle + 0.01 * side)) return `${way} the postures are in the fork of the fingers, and left out`;
     if (by === undefined) return `turned further ${way} it cannot be held`;
     if (Math.abs(by) < 1e-6 * hold.force_norm) return `${way} the force norm stays level at first`;
     return `${way} it ${by > 0 ? 'rises' : 'falls'} by ${newtons(Math.abs(by))} per degree`;
@@ -98,7 +98,7 @@ function compared(answers: PlanarAnswers, angle: number): string {
   if (!best || !hold.holdable) return '';
   const same = (each: Optimum) => Math.abs(wrapped(each.angle_deg - angle)) < 1e-7;
   const least = (each: Optimum) => `${plain(each.force_norm)} N at ${degrees(each.angle_deg)}`;
-  const domain = answers.best.options.domain === 'all' ? '' : ' outside the cradled range';
+  const domain = answers.best.options.domain === 'all' ? '' : ' outside the fork of the fingers';
   const parts = same(best) ? [`No posture${domain} needs less.`] : [`Least${domain || ' of all'}: ${least(best)}, ${best.manner}.`];
   if (best_pinched && best_pinched.angle_deg !== best.angle_deg)
     parts.push(same(best_pinched) ? 'Of the pinched postures none needs less.' : `Least pinched: ${least(best_pinched)}.`);

@@ -42,7 +42,7 @@ for (const label of labels) {
   const wanted = best.minima.slice(0, 8).map((each) => [
     space ? `(${each.up.map((part) => fixed(part, 3)).join(', ')})` : `${fixed(each.angle_deg, 2)}°`,
     `${four(each.force_norm)} N`,
-    `grip ${four(each.grip_force)} N`,
+    `grip ${four(each.grip)} N`,
   ].join(' '));
   const found = shown.map((parts) => parts.slice(0, 3).join(' '));
   expect(found.sort().join('\n') === wanted.sort().join('\n'), label, found, wanted);
@@ -53,7 +53,7 @@ for (const label of labels) {
     expect((await verdict(page)).includes('cannot be held'), `${label}: not held now`, await verdict(page));
     continue;
   }
-  const words = `${hold.manner}: force norm √V ${four(hold.force_norm)} N, effort V ${four(hold.effort)} N², grip force ${four(hold.grip_force)} N`;
+  const words = `${hold.manner}: force norm √V ${four(hold.force_norm)} N, effort V ${four(hold.effort)} N², grip ${four(hold.grip)} N`;
   expect((await verdict(page)).endsWith(words), `${label}: now`, words, await verdict(page));
 }
 

@@ -4,7 +4,7 @@
 namespace poise {
 
 const Subcommand capacity_command{
-    "capacity", "The greatest weight, the least friction, the force to command",
+    "capacity", "The greatest weight, the least friction, the grip to command",
     [](Flags& flags) -> Run {
       const auto asked = declare_question(flags, Command::capacity);
       Question& question = asked->question;

@@ -1,4 +1,4 @@
-// poise curve: the least effort over all postures of the plane.
+// poise curve: the least effort or grip over all postures of the plane.
 #include "answer.hpp"
 #include "files/output.hpp"
 #include "pictures/pictures.hpp"
@@ -30,10 +30,12 @@ Reply curve(const Asked& asked, const std::string& picture) {
 }  // namespace
 
 const Subcommand curve_command{
-    "curve", "The least effort over all postures, with its optima", [](Flags& flags) -> Run {
+    "curve", "The least effort or grip over all postures, with its optima",
+    [](Flags& flags) -> Run {
       const auto asked = declare_question(flags, Command::curve);
       const auto picture = std::make_shared<std::string>();
       flags.domain(asked->question);
+      flags.objective(asked->question);
       flags.force_cap(asked->question);
       flags.file("--plot", "SVG", "Draw the held object beside the curve", *picture);
       return [asked, picture] { return curve(*asked, *picture); };

@@ -24,9 +24,8 @@ std::string caption(const Grasp<Dim>& grasp, const NamedPosture<Dim>& shown) {
           : shown.name == "best" ? "best posture, "
                                  : "") +
          posture_words(posture.up) + ": " +
-         (posture.holdable()
-              ? "grip force " + newtons(posture.grip_force) + ", " + to_string(posture.manner)
-              : "cannot be held") +
+         (posture.holdable() ? least_text(grasp, posture) + ", " + to_string(posture.manner)
+                             : "cannot be held") +
          scenario_text(grasp, posture.decides);
 }
 

@@ -6,6 +6,7 @@
 #include "pictures/pictures.hpp"
 #include "pictures/plot.hpp"
 #include "pictures/scene.hpp"
+#include "poise/grip.hpp"
 #include "tables/table.hpp"
 
 namespace poise {
@@ -34,7 +35,20 @@ void shade(Script& script, const Interval& interval, const char* colour) {
         degrees(part.from), degrees(part.to), colour);
 }
 
-/// The force norm along the arcs, sharp at their ends, broken where nothing holds.
+/// What is drawn of a value of the curve: the grip, or the force norm √V.
+double height(const PostureCurve& curve, double value) {
+  const double least = std::max(0.0, value);
+  return curve.objective == Objective::grip ? least : std::sqrt(least);
+}
+
+/// "grip to command [N]"
+std::string axis_text(const Grasp<2>& grasp, const PostureCurve& curve) {
+  return curve.objective == Objective::grip
+             ? fmt::format("grip to command [{}]", to_string(grip_unit(grasp)))
+             : "force norm √V [N]";
+}
+
+/// Along the arcs, sharp at their ends, broken where nothing holds.
 std::vector<std::vector<Vector<2>>> curve_lines(const PostureCurve& curve) {
   std::vector<std::vector<Vector<2>>> lines;
   for (const Arc& arc : curve.arcs)
@@ -44,7 +58,7 @@ std::vector<std::vector<Vector<2>>> curve_lines(const PostureCurve& curve) {
       std::vector<Vector<2>> line;
       for (int k = 0; k <= steps; ++k) {
         const double theta = part.from + length * k / steps;
-        line.emplace_back(degrees(theta), std::sqrt(std::max(0.0, arc.V(theta))));
+        line.emplace_back(degrees(theta), height(curve, arc.value(theta)));
       }
       if (!lines.empty() && lines.back().back().x() == line.front().x())
         lines.back().insert(lines.back().end(), line.begin(), line.end());
@@ -54,11 +68,11 @@ std::vector<std::vector<Vector<2>>> curve_lines(const PostureCurve& curve) {
   return lines;
 }
 
-Vector<2> marker(const Optimum& optimum) {
-  return {degrees(optimum.angle), std::sqrt(optimum.effort)};
+Vector<2> marker(const PostureCurve& curve, const Optimum& optimum) {
+  return {degrees(optimum.angle), height(curve, optimum.value)};
 }
 
-void draw_optima(Script& script, const std::vector<Optimum>& optima) {
+void draw_optima(Script& script, const PostureCurve& curve) {
   const struct {
     bool maximum;
     Kind kind;
@@ -72,9 +86,9 @@ void draw_optima(Script& script, const std::vector<Optimum>& optima) {
                {true, Kind::boundary, 4, "maximum: boundary"}};
   for (const auto& sort : sorts) {
     std::vector<std::vector<Vector<2>>> points(1);
-    for (const Optimum& optimum : optima)
+    for (const Optimum& optimum : curve.optima)
       if (optimum.maximum == sort.maximum && optimum.kind == sort.kind)
-        points[0].push_back(marker(optimum));
+        points[0].push_back(marker(curve, optimum));
     if (points[0].empty()) continue;
     const std::string name = fmt::format("optima{}", sort.symbol);
     script.data(name, points);
@@ -88,8 +102,8 @@ void plot_curve(Script& script, const PlanarFile& file, const Grasp<2>& grasp,
   const Best<2>& best = answer.best;
   const PostureCurve& curve = best.proof.curve;
   const auto lines = curve_lines(curve);
-  const Interval cradled = cradled_wedge(grasp, grasp.loads().front().com);
-  if (cradled.from < cradled.to) shade(script, cradled, cradled_colour);
+  const Interval fork = fork_wedge(grasp, grasp.loads().front().com);
+  if (fork.from < fork.to) shade(script, fork, fork_colour);
   for (const UnholdableArc& arc : curve.unholdable_arcs)
     shade(script, {arc.from, arc.to}, unholdable_colour);
 
@@ -97,9 +111,9 @@ void plot_curve(Script& script, const PlanarFile& file, const Grasp<2>& grasp,
   // thousand times that, or the last minimum, there is nothing to be seen.
   double low = 0, high = 1, highest_minimum = 0;
   if (best.holdable()) {
-    low = high = std::sqrt(best.best().optimum.effort);
+    low = high = height(curve, best.best().optimum.value);
     for (const Minimum<2>& minimum : best.minima)
-      highest_minimum = std::max(highest_minimum, std::sqrt(minimum.optimum.effort));
+      highest_minimum = std::max(highest_minimum, height(curve, minimum.optimum.value));
     for (const auto& line : lines)
       for (const Vector<2>& point : line) high = std::max(high, point.y());
     high = std::min(high, std::max(1000 * low, 3 * highest_minimum));
@@ -110,7 +124,8 @@ void plot_curve(Script& script, const PlanarFile& file, const Grasp<2>& grasp,
   script.line("set xrange [-180:180]\nset yrange [{}:{}]", bottom, top);
   script.line("set xtics 45 format '%.0f°'\nset ytics autofreq\nset grid lc rgb '#dddddd'");
   script.line("set border 3 lc rgb '{}'\nset tics nomirror out", line_colour);
-  script.line("set xlabel 'object turned counter-clockwise'\nset ylabel 'force norm √V [N]'");
+  script.line("set xlabel 'object turned counter-clockwise'\nset ylabel '{}'",
+              axis_text(grasp, curve));
   if (!best.holdable()) {
     script.layer("NaN notitle");
     script.line("unset ytics");
@@ -120,10 +135,10 @@ void plot_curve(Script& script, const PlanarFile& file, const Grasp<2>& grasp,
     script.data("curve", lines);
     script.layer("$curve with lines lw 2.5 lc rgb '{}' notitle", force_colour);
   }
-  draw_optima(script, curve.optima);
+  draw_optima(script, curve);
   const auto ring = [&](const char* name, const Minimum<2>& posture, int symbol,
                         const char* meaning) {
-    script.data(name, {{marker(posture.optimum)}});
+    script.data(name, {{marker(curve, posture.optimum)}});
     script.layer("${} with points pt {} ps 1.8 lw 2 lc rgb '{}' title '{} {}'", name, symbol,
                  best_colour, meaning, degrees_text(posture.optimum.angle));
   };
@@ -138,9 +153,9 @@ void plot_curve(Script& script, const PlanarFile& file, const Grasp<2>& grasp,
   if (!curve.unholdable_arcs.empty())
     script.layer("keyentry with boxes fs solid fc rgb '{}' title 'cannot be held'",
                  unholdable_colour);
-  if (cradled.from < cradled.to)
-    script.layer("keyentry with boxes fs solid fc rgb '{}' title 'cradled{}'", cradled_colour,
-                 answer.settings.domain == Domain::pinched ? " (left out)" : "");
+  if (fork.from < fork.to)
+    script.layer("keyentry with boxes fs solid fc rgb '{}' title 'in the fork{}'", fork_colour,
+                 answer.settings.domain == Domain::pinching_up ? " (left out)" : "");
   script.plot();
 }
 

@@ -18,7 +18,7 @@ inline constexpr const char* weight_colour = "#a61c00";
 inline constexpr const char* limit_colour = "#e69138";
 inline constexpr const char* object_colour = "#f1efe9";
 inline constexpr const char* unholdable_colour = "#d4d4d4";
-inline constexpr const char* cradled_colour = "#e4f0db";
+inline constexpr const char* fork_colour = "#e4f0db";
 inline constexpr const char* line_colour = "#555555";
 inline constexpr const char* best_colour = "#38761d";
 

@@ -56,8 +56,7 @@ const char* which_text(const std::string& which) {
 template <int Dim>
 std::string greatest_text(const WeightRange<Dim>& range, double given) {
   if (!range.holdable) return "none: no weight can be held in this posture";
-  if (std::isinf(range.greatest.weight))
-    return "any: no max_normal limits the fingers that hold it";
+  if (std::isinf(range.greatest.weight)) return "any: nothing limits the fingers that hold it";
   return fmt::format("{}, {} times the given", weight_text(range.greatest.weight),
                      plain(range.greatest.weight / given));
 }
@@ -73,13 +72,25 @@ std::string why_no_more(const Grasp<Dim>& grasp, const WeightRange<Dim>& range) 
     pressing.push_back(contact.per_newton > 1e-6);
     slipping.push_back(contact.slipping && forces[i].state != ContactState::unloaded);
   }
-  const std::string press = who_does(grasp, pressing, " presses as hard as its max_normal allows",
-                                     " press as hard as their max_normal allows");
+  std::vector<std::string> limits;
+  if (const std::string press =
+          who_does(grasp, pressing, " presses as hard as its max_normal allows",
+                   " press as hard as their max_normal allows");
+      !press.empty())
+    limits.push_back(press);
+  std::vector<std::string> drives;
+  for (std::size_t a = 0; a < range.deciding_drives.size(); ++a)
+    if (range.deciding_drives[a] > 1e-6) drives.push_back(grasp.drives()[a].name);
+  if (grasp.mechanism().kind == DriveKind::coupled && !drives.empty())
+    limits.emplace_back("the drive of all fingers gives its max");
+  else if (!drives.empty())
+    limits.push_back(drives.size() == 1 ? "the drive of " + drives[0] + " gives its max"
+                                        : "the drives of " + listed(drives) + " give their max");
   const std::string slip =
       who_does(grasp, slipping, " uses all its friction", " use all their friction");
-  return press.empty() ? ""
-                       : "\n" + wrapped("At the greatest weight " + press +
-                                        (slip.empty() ? "" : "; " + slip) + ".");
+  if (limits.empty()) return {};
+  return "\n" + wrapped("At the greatest weight " + listed(limits) +
+                        (slip.empty() ? "" : "; " + slip) + ".");
 }
 
 /// The least friction of each of the different frictions.
@@ -87,8 +98,7 @@ template <int Dim>
 std::string friction_text(const Grasp<Dim>& grasp, const LeastFriction<Dim>& least, double safety) {
   if (std::isinf(least.factor)) return "none is enough";
   if (least.factor == 0) return "none is needed";
-  if (least.factor < 1e-4)
-    return "ever less, the harder the fingers press: no max_normal limits them";
+  if (least.factor < 1e-4) return "ever less, the harder the fingers press: nothing limits them";
   std::set<double> frictions;
   for (const Contact<Dim>& contact : grasp.contacts())
     if (contact.friction > 0) frictions.insert(contact.friction);
@@ -109,14 +119,26 @@ const auto& most(const List& list, const Measure& measure) {
   });
 }
 
+/// The grip to command, and whether the gripper gives it.
+template <int Dim>
+std::string command_text(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
+  const double most = most_grip<Dim>(grasp);
+  const std::string text = grip_text(grasp, grip<Dim>(grasp, hold));
+  if (!(hold.grip > most * (1 + 1e-7))) return text;
+  const GripUnit unit = grip_unit(grasp);
+  return text + " (more than the gripper gives" +
+         (unit == GripUnit::part_of_max ? ")" : ": " + plain(most) + " " + to_string(unit) + ")");
+}
+
 /// One posture, against all loads: what decides is the load that leaves least.
 template <int Dim>
 std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                            const std::vector<const CapacityAt<Dim>*>& loads, double safety,
                            const Style& style) {
   const auto given = [&](const CapacityAt<Dim>& at) { return grasp.loads()[at.load].weight; };
-  const auto force = [](const CapacityAt<Dim>& at) {
-    return at.capacity.safe.holdable() ? at.capacity.safe.grip_force : HUGE_VAL;
+  const auto force = [&](const CapacityAt<Dim>& at) {
+    const Posture<Dim>& safe = at.capacity.safe;
+    return safe.holdable() ? grip_of<Dim>(grasp, safe).value_or(0) : HUGE_VAL;
   };
   const CapacityAt<Dim>& heaviest = most(loads, [&](const CapacityAt<Dim>& at) {
     const WeightRange<Dim>& range = at.capacity.weights;
@@ -139,9 +161,12 @@ std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
   const std::string on_friction = fmt::format(
       "with a safety factor of {} on the friction{}", plain(safety),
       file.safety == 1 ? "" : fmt::format(", on top of the file's {}", plain(file.safety)));
-  table.add({"force to command", (std::isinf(force(hardest)) ? "none: it cannot be held "
-                                                             : newtons(force(hardest)) + ", ") +
-                                     on_friction + scenario_text(grasp, hardest.load)});
+  const bool grips = has_grip(grasp);
+  const std::string command = std::isinf(force(hardest)) ? "none: it cannot be held "
+                              : grips ? command_text(grasp, hardest.capacity.safe.hold()) + ", "
+                                      : newtons(force(hardest)) + ", ";
+  table.add({grips ? "grip to command" : "force to command",
+             command + on_friction + scenario_text(grasp, hardest.load)});
   return heading(place_text(first.up) + which_text(first.posture), style) + table.text(style) +
          why_no_more(grasp, range);
 }

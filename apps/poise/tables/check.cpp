@@ -75,11 +75,9 @@ std::string contacts_table(const Grasp<Dim>& grasp, const Lengths& lengths, cons
 /// What the plane and space have each for itself.
 std::vector<std::vector<std::string>> own_facts(const PlanarFile& file,
                                                 const CheckAnswer<2>& answer) {
-  const Interval& cradled = answer.cradled;
-  return {
-      {"held now", file.angle ? "turned to " + degrees_text(*file.angle) : "not given"},
-      {"cradled", cradled.from < cradled.to ? range_text(cradled) + ", in the fork of the fingers"
-                                            : "nowhere"}};
+  const Interval& fork = answer.fork;
+  return {{"held now", file.angle ? "turned to " + degrees_text(*file.angle) : "not given"},
+          {"in the fork of the fingers", fork.from < fork.to ? range_text(fork) : "nowhere"}};
 }
 
 std::vector<std::vector<std::string>> own_facts(const SpatialFile& file, const CheckAnswer<3>&) {

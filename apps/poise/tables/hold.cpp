@@ -17,18 +17,18 @@ std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp, const HoldA
   if (!posture.holdable())
     return title(file.name, style) +
            wrapped(place + " it cannot be held: " + reason_text(grasp, posture) + ".") + scenarios;
-  const std::string grip =
-      posture.hold().objective == Objective::grip
-          ? "the grip to command is " + style.bold(grip_text(grasp, posture.hold()))
-          : "grip force " + style.bold(newtons(grip_force(grasp, posture)));
+  const std::optional<double> grip = grip_of(grasp, posture);
+  const std::string norm = newtons(std::sqrt(posture.effort()));
+  const std::string least = posture.hold().objective == Objective::grip
+                                ? "the grip to command is " + style.bold(grip_text(grasp, *grip))
+                            : grip ? "grip " + style.bold(grip_text(grasp, *grip))
+                                   : "force norm " + style.bold(norm);
   return title(file.name, style) +
-         fmt::format("{}: {}, {}\n", place, grip, to_string(posture.manner)) +
+         fmt::format("{}: {}, {}\n", place, least, to_string(posture.manner)) +
          drives_table(grasp, posture.hold(), style) +
          heading("Forces" + scenario_text(grasp, posture.decides), style) +
          forces_table(grasp, posture.hold(), style) +
-         fmt::format("\nForce norm {}, effort {} N².\n", newtons(std::sqrt(posture.effort())),
-                     plain(posture.effort())) +
-         scenarios;
+         fmt::format("\nForce norm {}, effort {} N².\n", norm, plain(posture.effort())) + scenarios;
 }
 
 template std::string report(const PlanarFile&, const Grasp<2>&, const HoldAnswer<2>&, const Style&);

@@ -69,10 +69,10 @@ std::string reason_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
 
 template <int Dim>
 std::string why_nowhere(const Grasp<Dim>& grasp, const std::optional<Posture<Dim>>& example,
-                        const std::optional<Posture<Dim>>& without_max_normal) {
-  if (without_max_normal) {
+                        const std::optional<Posture<Dim>>& without_max) {
+  if (without_max) {
     std::vector<std::string> asked;
-    const Hold<Dim>& hold = without_max_normal->hold();
+    const Hold<Dim>& hold = without_max->hold();
     for (std::size_t i = 0; i < hold.forces.size(); ++i) {
       const Contact<Dim>& contact = grasp.contacts()[i];
       const double normal = hold.forces[i].normal;
@@ -82,10 +82,16 @@ std::string why_nowhere(const Grasp<Dim>& grasp, const std::optional<Posture<Dim
                         "its max_normal of {}",
                         i, contact.finger, newtons(normal), newtons(contact.max_normal)));
     }
+    if (has_grip(grasp)) {
+      const double needed = *grip_of(grasp, *without_max), most = most_grip(grasp);
+      if (needed > most)
+        asked.push_back(fmt::format("the drives would have to give {}, more than their max of {}",
+                                    grip_text(grasp, needed), grip_text(grasp, most)));
+    }
     if (!asked.empty())
-      return wrapped(
-          fmt::format("Only max_normal forbids it. The best posture without it: {}, where {}.",
-                      lowercase(place_text(without_max_normal->up)), fmt::join(asked, "; ")));
+      return wrapped(fmt::format("Only {} forbids it. The best posture without it: {}, where {}.",
+                                 asked.back().starts_with("the drives") ? "a max" : "max_normal",
+                                 lowercase(place_text(without_max->up)), fmt::join(asked, "; ")));
   }
   if (!example || example->holdable()) return {};
   return wrapped("For example " + lowercase(place_text(example->up)) + ": " +
@@ -97,10 +103,7 @@ void add_posture(Table& table, const std::string& which, const Grasp<Dim>& grasp
                  const Posture<Dim>& posture, const std::string& how) {
   const bool holdable = posture.holdable();
   table.add({which, posture_text(posture.up),
-             !holdable ? "cannot be held"
-             : posture.hold().objective == Objective::grip
-                 ? "grip " + grip_text(grasp, posture.hold())
-                 : "grip force " + newtons(grip_force(grasp, posture)),
+             !holdable ? "cannot be held" : least_text(grasp, posture),
              holdable ? to_string(posture.manner) : "", how});
 }
 
@@ -108,11 +111,18 @@ template <int Dim>
 std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const Style& style) {
   const auto fingers = finger_forces(grasp, hold);
   const std::vector<Contact<Dim>>& contacts = grasp.contacts();
-  const bool any_soft = std::any_of(contacts.begin(), contacts.end(),
-                                    [](const auto& contact) { return contact.torsion > 0; });
+  const auto is_pad = [](const Contact<Dim>& contact) {
+    if constexpr (Dim == 3) return contact.pad.has_value();
+    return false;
+  };
+  const auto twists = [&](const Contact<Dim>& contact) {
+    return contact.torsion > 0 || is_pad(contact);
+  };
+  const bool any_pad = std::any_of(contacts.begin(), contacts.end(), is_pad);
+  const bool any_soft = std::any_of(contacts.begin(), contacts.end(), twists);
   const Lengths lengths(grasp.radius());
-  const double grip = grip_force(grasp, hold);
-  double tangential = 0, moment = 0;
+  double grip = 0, tangential = 0, moment = 0;
+  for (const FingerForce<Dim>& finger : fingers) grip = std::max(grip, finger.normal);
   for (const ContactForce<Dim>& force : hold.forces) {
     if constexpr (Dim == 2) {
       tangential = std::max(tangential, std::abs(force.tangential));
@@ -128,6 +138,7 @@ std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const S
   std::vector<std::string> headings{"<finger", "contact", "normal [N]", "tangential [N]"};
   if (any_soft) headings.push_back(fmt::format("torsion [N {}]", lengths.unit));
   for (const char* rest : {"friction used", "<state", "<limit"}) headings.emplace_back(rest);
+  if (any_pad) headings.push_back(fmt::format("<centre of pressure [{}]", lengths.unit));
   Table table(headings);
   for (std::size_t k = 0; k < fingers.size(); ++k) {
     std::size_t count = 0;
@@ -142,15 +153,20 @@ std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const S
       } else {
         row.push_back(fixed(force.tangential.norm(), across));
         if (any_soft)
-          row.push_back(contacts[i].torsion > 0
-                            ? fixed(lengths.per_metre * force.torsion_moment, about)
-                            : "");
+          row.push_back(twists(contacts[i]) ? fixed(lengths.per_metre * force.torsion_moment, about)
+                                            : "");
       }
       row.push_back(loaded ? fixed(100 * force.friction_used, 1) + " %" : "");
       row.emplace_back(to_string(force.state));
       row.emplace_back(force.limit == ForceLimit::none  ? ""
                        : force.limit == ForceLimit::min ? "at min_normal"
                                                         : "at max_normal");
+      if constexpr (Dim == 3)
+        if (any_pad)
+          row.push_back(
+              is_pad(contacts[i]) && loaded
+                  ? lengths.text(Vector<3>(contacts[i].position + force.center_of_pressure))
+                  : "");
       table.add(std::move(row));
     }
     if (count > 1) table.add({"", "together", fixed(fingers[k].normal, decimals)});
@@ -159,8 +175,7 @@ std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const S
 }
 
 template <int Dim>
-std::string grip_text(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
-  const double grip = poise::grip(grasp, hold);
+std::string grip_text(const Grasp<Dim>& grasp, double grip) {
   switch (grip_unit(grasp)) {
     case GripUnit::newton:
       return newtons(grip);
@@ -170,6 +185,13 @@ std::string grip_text(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
       break;
   }
   return fixed(100 * grip, 1) + " % of max";
+}
+
+template <int Dim>
+std::string least_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
+  const std::optional<double> grip = grip_of(grasp, posture);
+  return grip ? "grip " + grip_text(grasp, *grip)
+              : "force norm " + newtons(std::sqrt(posture.effort()));
 }
 
 template <int Dim>
@@ -196,41 +218,47 @@ std::string scenarios_table(const Grasp<Dim>& grasp, const Posture<Dim>& posture
   if (grasp.loads().size() == 1) return {};
   double effort = 0;
   for (const Hold<Dim>& hold : posture.holds) effort = std::max(effort, hold.effort);
-  const double grip = grip_force(grasp, posture);
+  const std::optional<double> grip = grip_of(grasp, posture);
   const Lengths lengths(grasp.radius());
-  Table table({"scenario", "weight [N]", fmt::format("centre of mass [{}]", lengths.unit),
-               "grip force [N]", "force norm [N]", "effort [N²]", "<"});
+  std::vector<std::string> headings{"scenario", "weight [N]",
+                                    fmt::format("centre of mass [{}]", lengths.unit)};
+  if (grip) headings.emplace_back("grip");
+  headings.insert(headings.end(), {"force norm [N]", "effort [N²]", "<"});
+  Table table(headings);
   for (std::size_t k = 0; k < grasp.loads().size(); ++k) {
     const Load<Dim>& load = grasp.loads()[k];
     const Hold<Dim>& hold = posture.holds[k];
     std::vector<std::string> row{std::to_string(k), plain(load.weight), lengths.text(load.com)};
+    if (grip) row.push_back(hold.holdable ? grip_text(grasp, poise::grip(grasp, hold)) : "");
     if (hold.holdable)
       row.insert(row.end(),
-                 {fixed(grip_force(grasp, hold), decimals_for(grip)),
-                  fixed(std::sqrt(hold.effort), decimals_for(std::sqrt(effort))),
+                 {fixed(std::sqrt(hold.effort), decimals_for(std::sqrt(effort))),
                   fixed(hold.effort, decimals_for(effort)), k == posture.decides ? "decides" : ""});
     else
-      row.insert(row.end(), {"", "", "", "cannot be held"});
+      row.insert(row.end(), {"", "", "cannot be held"});
     table.add(std::move(row));
   }
   return heading("Scenarios", style) + table.text(style);
 }
 
-std::string optima_table(const std::vector<OptimumRow>& rows, const std::vector<std::string>& words,
-                         const Style& style) {
+template <int Dim>
+std::string optima_table(const Grasp<Dim>& grasp, const std::vector<OptimumRow>& rows,
+                         const std::vector<std::string>& words, const Style& style) {
   // Four digits of the least number in a column.
-  double grip = 0, effort = 0;
-  for (const OptimumRow& row : rows) {
-    grip = grip == 0 ? row.grip_force : std::min(grip, row.grip_force);
+  double effort = 0;
+  for (const OptimumRow& row : rows)
     effort = effort == 0 ? row.effort : std::min(effort, row.effort);
-  }
-  std::vector<std::string> headings{"posture", "grip force [N]", "force norm [N]", "effort [N²]"};
+  const bool any_grip = !rows.empty() && rows.front().grip;
+  std::vector<std::string> headings{"posture"};
+  if (any_grip) headings.emplace_back("grip");
+  headings.insert(headings.end(), {"force norm [N]", "effort [N²]"});
   for (const std::string& word : words) headings.push_back("<" + word);
   Table table(headings);
   for (const OptimumRow& row : rows) {
-    std::vector<std::string> cells{row.posture, fixed(row.grip_force, decimals_for(grip)),
-                                   fixed(std::sqrt(row.effort), decimals_for(std::sqrt(effort))),
-                                   fixed(row.effort, decimals_for(effort))};
+    std::vector<std::string> cells{row.posture};
+    if (any_grip) cells.push_back(grip_text(grasp, row.grip.value_or(0)));
+    cells.push_back(fixed(std::sqrt(row.effort), decimals_for(std::sqrt(effort))));
+    cells.push_back(fixed(row.effort, decimals_for(effort)));
     cells.insert(cells.end(), row.words.begin(), row.words.end());
     table.add(std::move(cells));
   }
@@ -252,7 +280,7 @@ std::string why_pinching_costs(const Grasp<Dim>& grasp, const Posture<Dim>& best
   if (best.manner == Manner::resting)
     return cost + "at the best posture it rests on " + strongest(grasp, best.hold()) + squeeze;
   if (best.manner == Manner::cradled)
-    return cost + "at the best posture it lies in the fork of the fingers" + squeeze;
+    return cost + "at the best posture it would lie in the fingers without any friction" + squeeze;
   return cost + (Dim == 2 ? "the best posture is at an end of those in which it can be held."
                           : "the best posture is at the border of those in which it can be held.");
 }
@@ -265,8 +293,14 @@ template std::string why_nowhere(const Grasp<3>&, const std::optional<Posture<3>
 template void add_posture(Table&, const std::string&, const Grasp<2>&, const Posture<2>&,
                           const std::string&);
 template std::string forces_table(const Grasp<2>&, const Hold<2>&, const Style&);
-template std::string grip_text(const Grasp<2>&, const Hold<2>&);
-template std::string grip_text(const Grasp<3>&, const Hold<3>&);
+template std::string least_text(const Grasp<2>&, const Posture<2>&);
+template std::string least_text(const Grasp<3>&, const Posture<3>&);
+template std::string grip_text(const Grasp<2>&, double);
+template std::string grip_text(const Grasp<3>&, double);
+template std::string optima_table(const Grasp<2>&, const std::vector<OptimumRow>&,
+                                  const std::vector<std::string>&, const Style&);
+template std::string optima_table(const Grasp<3>&, const std::vector<OptimumRow>&,
+                                  const std::vector<std::string>&, const Style&);
 template std::string drives_table(const Grasp<2>&, const Hold<2>&, const Style&);
 template std::string drives_table(const Grasp<3>&, const Hold<3>&, const Style&);
 template std::string scenarios_table(const Grasp<2>&, const Posture<2>&, const Style&);

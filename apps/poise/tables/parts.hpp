@@ -26,22 +26,30 @@ std::string range_text(const Interval& interval);
 /// "at most 30.00° from (0.000, 0.000, 1.000)"
 std::string tilt_text(const Tilt& tilt);
 
-/// How hard the hardest pressing finger presses against any of the loads [N].
+/// The grip against any of the loads [grip_unit()]; nothing where the hand has none.
 template <int Dim>
-double grip_force(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
+std::optional<double> grip_of(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
+  if (!has_grip(grasp)) return {};
   double most = 0;
-  for (const Hold<Dim>& hold : posture.holds) most = std::max(most, grip_force(grasp, hold));
+  for (const Hold<Dim>& hold : posture.holds) most = std::max(most, grip(grasp, hold));
   return most;
+}
+
+/// Whether a posture needs no more than another, but for a tie.
+template <int Dim>
+bool ties_with(const Posture<Dim>& posture, const Posture<Dim>& best) {
+  constexpr double tie = 1e-6;
+  return posture.value() <= best.value() * (1 + tie);
 }
 
 /// Why it cannot be held, and in which scenario.
 template <int Dim>
 std::string reason_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture);
-/// Why nothing holds: what the best posture without max_normal asks of the contacts, if there is
-/// one; else the reason of an example.
+/// Why nothing holds: what the best posture asks of contacts and drives without their max, if there
+/// is one; else the reason of an example.
 template <int Dim>
 std::string why_nowhere(const Grasp<Dim>& grasp, const std::optional<Posture<Dim>>& example,
-                        const std::optional<Posture<Dim>>& without_max_normal = {});
+                        const std::optional<Posture<Dim>>& without_max = {});
 
 /// ", in scenario 1", or nothing where there is but one.
 template <int Dim>
@@ -49,7 +57,7 @@ std::string scenario_text(const Grasp<Dim>& grasp, std::size_t load) {
   return grasp.loads().size() == 1 ? "" : ", in scenario " + std::to_string(load);
 }
 
-/// A line of a summary: which posture, how hard the fingers press, and how to get there.
+/// A line of a summary: which posture, what it needs least of, and how to get there.
 template <int Dim>
 void add_posture(Table& table, const std::string& which, const Grasp<Dim>& grasp,
                  const Posture<Dim>& posture, const std::string& how);
@@ -60,7 +68,11 @@ std::string forces_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const S
 
 /// "2.125 N", "0.55 N m" or "27.5 % of max".
 template <int Dim>
-std::string grip_text(const Grasp<Dim>& grasp, const Hold<Dim>& hold);
+std::string grip_text(const Grasp<Dim>& grasp, double grip);
+
+/// "grip 2.125 N", or where the hand has none "force norm 8.966 N".
+template <int Dim>
+std::string least_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture);
 
 /// What the drives do; nothing where each finger has a drive of its own without max.
 template <int Dim>
@@ -74,12 +86,14 @@ std::string scenarios_table(const Grasp<Dim>& grasp, const Posture<Dim>& posture
 /// A line of a table of optima.
 struct OptimumRow {
   std::string posture;
-  double grip_force, effort;
+  std::optional<double> grip;
+  double effort;
   std::vector<std::string> words;  ///< manner, and what else there is to say
 };
 /// `words` are the headings of the words.
-std::string optima_table(const std::vector<OptimumRow>& rows, const std::vector<std::string>& words,
-                         const Style& style);
+template <int Dim>
+std::string optima_table(const Grasp<Dim>& grasp, const std::vector<OptimumRow>& rows,
+                         const std::vector<std::string>& words, const Style& style);
 
 /// By which factor the best pinched posture costs more than the best, and why.
 template <int Dim>

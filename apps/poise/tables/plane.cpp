@@ -36,15 +36,15 @@ std::string optima_text(const Grasp<2>& grasp, const std::vector<Minimum<2>>& op
   for (const Minimum<2>& posture : optima) {
     const Optimum& optimum = posture.optimum;
     rows.push_back({posture_text(optimum),
-                    grip_force<2>(grasp, posture),
-                    optimum.effort,
+                    grip_of<2>(grasp, posture),
+                    posture.effort(),
                     {to_string(posture.manner), to_string(optimum.kind)}});
     if (types == Types::shown)
       rows.back().words.emplace_back(optimum.maximum ? "maximum" : "minimum");
   }
   std::vector<std::string> words{"manner", "kind"};
   if (types == Types::shown) words.emplace_back("type");
-  return optima_table(rows, words, style);
+  return optima_table(grasp, rows, words, style);
 }
 
 /// "turn by 30.00° counter-clockwise"
@@ -72,32 +72,35 @@ std::string doubt(const PostureCurve& curve) {
 /// Why nothing in the domain can be held, in words.
 std::string nowhere(const Grasp<2>& grasp, const PostureCurve& curve, const CurveSettings& settings,
                     const std::optional<Posture<2>>& example,
-                    const std::optional<Posture<2>>& without_max_normal = {}) {
+                    const std::optional<Posture<2>>& without_max = {}) {
   if (!curve.undecided.empty())
     return "Found no posture" + scope(settings) + " in which it can be held.\n" + doubt(curve);
   return "Cannot be held in any posture" + scope(settings) + ".\n" +
-         why_nowhere<2>(grasp, example, without_max_normal);
+         why_nowhere<2>(grasp, example, without_max);
 }
 
 /// Along an arc nothing changes but the size of the forces.
 std::string arcs_table(const Grasp<2>& grasp, const PostureCurve& curve, const Style& style) {
   constexpr std::size_t most_columns = 8;
   const std::size_t contacts = grasp.contacts().size();
-  std::vector<std::string> headings{"from", "to", "force norm [N]", "to [N]"};
-  if (contacts <= most_columns)
+  const bool is_grip = curve.objective == Objective::grip;
+  std::vector<std::string> headings{"from", "to", is_grip ? "grip" : "force norm [N]",
+                                    is_grip ? "to" : "to [N]"};
+  if (!is_grip && contacts <= most_columns)
     for (std::size_t i = 0; i < contacts; ++i) headings.push_back("<" + grasp.contacts()[i].finger);
   Table table(headings);
   double largest = 0;
-  for (const Arc& arc : curve.arcs) largest = std::max({largest, arc.V(arc.from), arc.V(arc.to)});
+  for (const Arc& arc : curve.arcs)
+    largest = std::max({largest, arc.value(arc.from), arc.value(arc.to)});
   const int decimals = decimals_for(std::sqrt(largest));
-  const auto norm = [](const Arc& arc, double theta) {
-    return std::sqrt(std::max(0.0, arc.V(theta)));
+  const auto value = [&](const Arc& arc, double theta) {
+    const double here = std::max(0.0, arc.value(theta));
+    return is_grip ? grip_text(grasp, here) : fixed(std::sqrt(here), decimals);
   };
   for (const Arc& arc : curve.arcs) {
-    std::vector<std::string> row{degrees_text(arc.from), degrees_text(arc.to),
-                                 fixed(norm(arc, arc.from), decimals),
-                                 fixed(norm(arc, arc.to), decimals)};
-    if (contacts <= most_columns)
+    std::vector<std::string> row{degrees_text(arc.from), degrees_text(arc.to), value(arc, arc.from),
+                                 value(arc, arc.to)};
+    if (!is_grip && contacts <= most_columns)
       for (std::size_t i = 0; i < contacts; ++i) {
         const ArcState& state = curve.states[arc.first_state + i];
         row.push_back(
@@ -106,7 +109,8 @@ std::string arcs_table(const Grasp<2>& grasp, const PostureCurve& curve, const S
       }
     table.add(std::move(row));
   }
-  return heading("Arcs: what each contact does", style) + table.text(style);
+  return heading(is_grip ? "Arcs: on each one proof" : "Arcs: what each contact does", style) +
+         table.text(style);
 }
 
 }  // namespace
@@ -118,18 +122,21 @@ std::string report(const PlanarFile& file, const Grasp<2>& grasp, const BestAnsw
   const CurveSettings& settings = answer.settings;
   std::string text = title(file.name, style);
   if (!best.holdable())
-    return text + nowhere(grasp, curve, settings, answer.unholdable, answer.without_max_normal);
+    return text + nowhere(grasp, curve, settings, answer.unholdable, answer.without_max);
 
   const Minimum<2>& lowest = best.best();
   const Minimum<2>* const pinched = best.best_pinched();
   std::vector<std::pair<std::string, const Minimum<2>*>> shown{{"best", &lowest}};
-  const bool differ = pinched && pinched != &lowest;
+  const bool differ = pinched && !ties_with(*pinched, lowest);
   if (differ) shown.emplace_back("best pinched", pinched);
   Table summary({"<", "", "", "<", "<"});
   if (answer.now) add_posture(summary, "now", grasp, *answer.now, "");
   for (const auto& [which, posture] : shown)
     add_posture<2>(summary, which, grasp, *posture,
-                   file.angle ? turn_text(*file.angle, posture->optimum.angle) : "");
+                   !file.angle ? ""
+                   : ties_with(*answer.now, *posture)
+                       ? "stay: it is as good"
+                       : turn_text(*file.angle, posture->optimum.angle));
   text += summary.text(style);
   if (differ) text += "\n" + wrapped(why_pinching_costs<2>(grasp, lowest, *pinched));
   if (!pinched) text += "\nThere is no pinched minimum" + scope(settings) + ".\n";

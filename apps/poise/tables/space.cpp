@@ -26,14 +26,14 @@ std::string optima_text(const Grasp<3>& grasp, const std::vector<Minimum<3>>& op
   std::vector<OptimumRow> rows;
   for (const Minimum<3>& posture : optima) {
     rows.push_back({posture_text(posture.up),
-                    grip_force<3>(grasp, posture),
+                    grip_of<3>(grasp, posture),
                     posture.effort(),
                     {to_string(posture.manner)}});
     if (scenarios) rows.back().words.push_back(std::to_string(posture.decides));
   }
   std::vector<std::string> words{"manner"};
   if (scenarios) words.emplace_back("scenario");
-  return optima_table(rows, words, style);
+  return optima_table(grasp, rows, words, style);
 }
 
 /// Where something is not proven: whether more holds are of use.
@@ -67,7 +67,7 @@ std::string nowhere(const Grasp<3>& grasp, const BestAnswer<3>& answer) {
         scope(answer.settings), answer.best.proof.holds,
         what_may_tell(answer.best, answer.settings)));
   return wrapped("Cannot be held in any posture" + scope(answer.settings) + ".") +
-         why_nowhere<3>(grasp, answer.unholdable, answer.without_max_normal);
+         why_nowhere<3>(grasp, answer.unholdable, answer.without_max);
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ std::string report(const SpatialFile& file, const Grasp<3>& grasp, const BestAns
 
   const Minimum<3>& lowest = best.best();
   const Minimum<3>* const pinched = best.best_pinched();
-  const bool differ = pinched && pinched != &lowest;
+  const bool differ = pinched && !ties_with(*pinched, lowest);
   std::vector<std::pair<std::string, const Minimum<3>*>> shown{{"best", &lowest}};
   if (differ) shown.emplace_back("best pinched", pinched);
 
@@ -88,7 +88,9 @@ std::string report(const SpatialFile& file, const Grasp<3>& grasp, const BestAns
   if (answer.now) add_posture(summary, "now", grasp, *answer.now, "");
   for (const auto& [which, posture] : shown) {
     const Turn turn = turn_to(answer.orientation, posture->up);
-    add_posture<3>(summary, which, grasp, *posture, turn_text(turn));
+    add_posture<3>(
+        summary, which, grasp, *posture,
+        answer.now && ties_with(*answer.now, *posture) ? "stay: it is as good" : turn_text(turn));
     std::vector<std::string> row{which};
     for (const double part :
          {turn.rotation.w(), turn.rotation.x(), turn.rotation.y(), turn.rotation.z()})

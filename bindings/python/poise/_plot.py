@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Optional, Sequence, Union
 
 import numpy as np
 
 from . import _core
+from ._types import Objective
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -42,11 +43,16 @@ def plot(
 
 def _plot_curve(curve: _core.PostureCurve, axes: Axes) -> Axes:
     first, last = np.degrees([curve.domain.from_, curve.domain.to])
+    is_grip = curve.objective == Objective.grip
+
+    def height(value: Any) -> Any:
+        least = np.maximum(value, 0)
+        return least if is_grip else np.sqrt(least)
+
     for turn in (-360, 0, 360):  # arcs may run on beyond the end of the domain
         for arc in curve.arcs:
             theta = np.linspace(arc.from_, arc.to, 2 + int(60 * (arc.to - arc.from_)))
-            norm = np.sqrt(np.maximum(arc.V(theta), 0))
-            axes.plot(np.degrees(theta) + turn, norm, color="C0")
+            axes.plot(np.degrees(theta) + turn, height(arc.value(theta)), color="C0")
         for gap in curve.unholdable_arcs:
             ends = np.degrees([gap.from_, gap.to]) + turn
             axes.axvspan(*ends, color="0.9", linewidth=0)
@@ -54,11 +60,11 @@ def _plot_curve(curve: _core.PostureCurve, axes: Axes) -> Axes:
             angle = np.degrees(optimum.angle)
             if optimum.maximum or not first <= angle + turn <= last:
                 continue
-            norm = np.sqrt(optimum.effort)
-            axes.plot(angle + turn, norm, "o", color="C3")
+            here = height(optimum.value)
+            axes.plot(angle + turn, here, "o", color="C3")
             axes.annotate(
-                f"{angle:.2f}°, {norm:.4g} N\n{optimum.kind.value}",
-                (angle + turn, norm),
+                f"{angle:.2f}°, {here:.4g}\n{optimum.kind.value}",
+                (angle + turn, here),
                 xytext=(0, -8),
                 textcoords="offset points",
                 ha="center",
@@ -68,7 +74,7 @@ def _plot_curve(curve: _core.PostureCurve, axes: Axes) -> Axes:
     axes.set_xlim(first, last)
     axes.set_ylim(bottom=0)
     axes.set_xlabel("posture: turned counter-clockwise by [degrees]")
-    axes.set_ylabel("force norm [N]")
+    axes.set_ylabel("grip to command" if is_grip else "force norm [N]")
     return axes
 
 

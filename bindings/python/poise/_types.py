@@ -30,18 +30,18 @@ class ForceLimit(enum.Enum):
 
 
 class Manner(enum.Enum):
-    """How the object is held."""
+    """How the object is held, by its forces: the first that applies."""
 
-    resting = "resting"  #: a finger carries nothing, or there is only one finger
-    cradled = "cradled"  #: the centre of mass lies in the fork of the fingers
-    pinched = "pinched"  #: neither: the fingers hold it by friction
+    resting = "resting"  #: one finger carries everything
+    cradled = "cradled"  #: it would be held without any friction
+    pinched = "pinched"  #: friction carries
 
 
 class Kind(enum.Enum):
     """Of an optimum of the curve."""
 
     boundary = "boundary"  #: an end of the domain or of the holdable set
-    kink = "kink"  #: V has a corner
+    kink = "kink"  #: the curve has a corner
     smooth = "smooth"
 
 
@@ -61,10 +61,10 @@ class Status(enum.Enum):
 
 
 class Domain(enum.Enum):
-    """Postures to choose from: all of them, or those where the object is not cradled."""
+    """Postures to choose from: all of them, or those outside the fork of the fingers."""
 
     all = "all"
-    pinched = "pinched"
+    pinching_up = "pinching-up"
 
 
 def _vector(value: ArrayLike) -> NDArray[np.float64]:
