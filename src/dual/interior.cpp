@@ -698,7 +698,7 @@ Balance<Dim> Interior<Dim, T>::run() {
     step(1, -tau_ * kappa_, false);
     const T affine = std::min<T>(1, way()), left = 1 - affine, sigma = left * left * left;
     // Of a short way's second order only its part: else steps to and fro may never end.
-    const T second = affine * affine;
+    const T second = std::min<T>(1, 2 * affine);
     const T target = sigma * here, corrected = target - tau_ * kappa_ - second * dtau_ * dkappa_;
     aim(target, second);
     step(1 - sigma, corrected, true);
