@@ -91,8 +91,8 @@ TEST(MechanismFile, DrivesAreEachUnlessTheFileSaysOtherwise) {
   EXPECT_EQ(file_of<2>(plane + "drives: coupled\n").mechanism.kind, DriveKind::coupled);
   EXPECT_EQ(file_of<3>(space).grasp().drives().size(), 2U);
   EXPECT_EQ(file_of<3>(space + "drives: coupled\n").grasp().drives().size(), 1U);
-  EXPECT_EQ(file_of<3>(space).objective, Objective::effort);
-  EXPECT_EQ(file_of<3>(space + "objective: grip\n").objective, Objective::grip);
+  EXPECT_EQ(file_of<3>(space).objective, Objective::grip);
+  EXPECT_EQ(file_of<3>(space + "objective: effort\n").objective, Objective::effort);
 }
 
 TEST(MechanismFile, FingersHaveClosingDirectionsAndForces) {

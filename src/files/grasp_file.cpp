@@ -356,7 +356,15 @@ template <int Dim>
 void check_grasp(const Field& root, CommonFile<Dim>& file) {
   try {
     const Grasp<Dim> grasp = file.grasp();
-    if (file.objective == Objective::grip) grip_unit(grasp);
+    try {
+      if (file.objective == Objective::grip) grip_unit(grasp);
+    } catch (const InvalidGrasp& error) {
+      if (root.find("objective")) throw;
+      file.objective = Objective::effort;
+      file.warnings.push_back(located(root.file(), root.follow(error.path()).place(), error.path(),
+                                      error.problem() + "; without it the least effort is asked "
+                                                        "for, not the least grip"));
+    }
     const std::vector<std::string> lines = doubts<Dim>(file, grasp, root);
     file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
   } catch (const InvalidGrasp& error) {

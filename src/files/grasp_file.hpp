@@ -24,7 +24,8 @@ struct CommonFile {
   std::vector<Load<Dim>> loads{};  ///< one; in space as many as the file has scenarios
   std::vector<Contact<Dim>> contacts{};
   Mechanism<Dim> mechanism{};
-  Objective objective{Objective::effort};
+  /// A file that says nothing asks for the grip, if its grasp has one.
+  Objective objective{Objective::grip};
   /// What is allowed but looks like a mistake: whole lines, "FILE:LINE:COLUMN: path: words".
   std::vector<std::string> warnings{};
 

@@ -51,7 +51,7 @@ class GraspFile:
     tilt: Optional[Tilt] = None  #: space: the postures to choose from; None: all
     #: What is allowed but looks like a mistake: "FILE:LINE:COLUMN: path: words".
     warnings: List[str] = field(default_factory=list)
-    objective: Objective = Objective.effort  #: what is to be least
+    objective: Objective = Objective.grip  #: what is to be least
     #: "each", "coupled" or a list of drives, as in a grasp file; None: each
     drives: Union[str, List[Dict[str, Any]], None] = None
     fingers: Optional[Dict[str, Dict[str, Any]]] = None  #: closing and max_force, by label
@@ -111,7 +111,7 @@ def to_dict(grasp: Union[GraspFile, _core.Grasp]) -> Dict[str, Any]:
         values["name"] = file.name
     if file.safety != 1:
         values["safety"] = file.safety
-    if file.objective != Objective.effort:
+    if file.objective != Objective.grip:
         values["objective"] = file.objective.value
     if file.angle is not None:
         values["angle_deg"] = math.degrees(file.angle)
