@@ -338,6 +338,54 @@ RC_GTEST_PROP(LeastGrip, GrowsWithTheLoad, ()) {
               1e-7 * (grasp.weight() + grip(grasp, thrice)));
 }
 
+/// Some contacts are pads.
+Grasp<3> random_pads() {
+  space::Held held = *space::grasps(
+      {.least_contacts = 2, .most_contacts = 4, .limits = false, .awkward = false});
+  for (Contact<3>& contact : held.contacts) {
+    if (one_in(3)) continue;
+    contact.torsion = 0;
+    contact.share = 1;
+    const Vector<3> normal = contact.normal.normalized();
+    contact.pad = rectangular_pad({real(0.05, 0.5), real(0.05, 0.5)}, tangents(normal).col(0),
+                                  normal, pick(1, 3));
+  }
+  return held.grasp();
+}
+
+Wrench<3> random_wrench() {
+  Wrench<3> wrench;
+  wrench << space::random_direction(), space::random_direction();
+  return wrench;
+}
+
+/// V is smooth in the load, 2 y its gradient.
+RC_GTEST_PROP(Pad, TheDualIsTheGradientOfTheEffort, ()) {
+  const Grasp<3> grasp = random_pads();
+  const double W = grasp.weight(), step = 1e-4 * W;
+  const Wrench<3> w = grasp.loads().front().at(space::random_direction()), d = random_wrench();
+  const auto at = [&](double length) {
+    return hold<3>(grasp, Wrench<3>(w + length * d), W, Twist<3>::Zero());
+  };
+  const Hold<3> here = at(0), before = at(-step), after = at(step);
+  if (!here.holdable || !before.holdable || !after.holdable) return;
+  if (here.effort > 100 * W * W) return;  // near the limit of holding it bends much
+  const double slope = (after.effort - before.effort) / (2 * step);
+  RC_ASSERT(std::abs(slope - 2 * here.dual.dot(d)) <= 1e-3 * here.dual.norm());
+}
+
+/// F is convex in the load: what y proves of one load it proves of all.
+RC_GTEST_PROP(Pad, TheDualIsASubgradientOfTheGrip, ()) {
+  const Grasp<3> grasp = random_pads();
+  if (!has_grip<3>(grasp)) return;
+  const double W = grasp.weight();
+  const Wrench<3> w = grasp.loads().front().at(space::random_direction());
+  const Wrench<3> other = w + W * real(0, 1) * random_wrench();
+  const Hold<3> here = least_grip<3>(grasp, w, W), there = least_grip<3>(grasp, other, W);
+  if (!here.holdable || !there.holdable) return;
+  RC_ASSERT(there.grip >= here.lower_bound + here.dual.dot(other - w) - 1e-7 * (W + there.grip));
+}
+
 RC_GTEST_PROP(LeastGrip, OfCoupledFingersIsNoMoreThanOfEach, ()) {
   const space::Held held = *space::grasps({.least_contacts = 2, .limits = false, .awkward = false});
   const Grasp<3> each = held.grasp();

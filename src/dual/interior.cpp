@@ -773,10 +773,12 @@ std::vector<double> powers(const ConeHand<Dim>& hand, const Twist<Dim>& y,
   std::vector<double> result;
   for (const ConeContact<Dim>& contact : hand.contacts) {
     const Twist<Dim>& twist = felt[contact.finger];
-    double power = contact.normal.dot(twist);
-    for (std::size_t k = contact.first; k < contact.last; ++k)
+    double power = contact.normal.dot(twist), steep = 1;
+    for (std::size_t k = contact.first; k < contact.last; ++k) {
       power += hand.parts[k].reach * (hand.parts[k].G.transpose() * twist).norm();
-    result.push_back(power + rounding<double> * size);
+      steep += hand.parts[k].reach;
+    }
+    result.push_back(power + rounding<double> * steep * size);
   }
   return result;
 }

@@ -1,5 +1,6 @@
 #include "plane/grip_tracer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -25,8 +26,8 @@ class GripTracer {
         unit_(scaled_grip<2>(grasp, weight_)),
         most_(most_grip<2>(grasp) / unit_),
         cap_(settings.force_cap),
-        program_(cone_hand<2>(grasp, weight_, dual::Wanted::grip),
-                 load_curve(hand_, weight_, grasp.loads().front())),
+        cones_(cone_hand<2>(grasp, weight_, dual::Wanted::grip)),
+        program_(cones_, load_curve(hand_, weight_, grasp.loads().front())),
         contacts_(grasp.contacts()),
         drives_(grasp.drives()),
         in_parts_(grip_unit<2>(grasp) == GripUnit::part_of_max),
@@ -61,24 +62,19 @@ class GripTracer {
   /// About the object frame's origin, per unit of the grip.
   Twist<2> told(const Twist<2>& y) const { return about_origin(hand_, unit_ / weight_, y); }
 
-  /// Power is convex in (y, rates): of rates alone so much is mixed in that rounding of a long y
-  /// leaves no contact that a drive closes any power.
-  static void round_down(Twist<2>& y, std::vector<double>& rates) {
-    const double part = std::min(1e-14 * y.cwiseAbs().sum(), 1e-8);
-    y *= 1 - part;
-    for (double& rate : rates) rate = (1 - part) * rate + part / static_cast<double>(rates.size());
-  }
-
   void add_arc(const dual::GripPiece& found, const Interval& piece) {
     Arc& arc = curve_.arcs.emplace_back();
     arc.from = piece.from;
     arc.to = piece.to;
     const Harmonic1 F = harmonic(found.F, unit_);
     arc.value = {F.c0, F.cos1, F.sin1, 0, 0};
-    Twist<2> y = found.y;
-    arc.rates = found.rates;
-    round_down(y, *arc.rates);
-    y = told(y);
+    // Rounding leaves no contact that a drive closes any power.
+    const dual::GripCut<2> cut =
+        dual::grip_cut(cones_, {.y = found.y, .rates = found.rates}, cap_);
+    arc.rates = cut.rates;
+    const double sum = std::max(cut.rate_sum, 1.0);
+    for (double& rate : *arc.rates) rate /= sum;
+    const Twist<2> y = told(cut.y / sum);
     for (std::size_t k = 0; k < 3; ++k) arc.y[k].c0 = y[static_cast<Eigen::Index>(k)];
     arc.first_state = curve_.states.size();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -115,6 +111,7 @@ class GripTracer {
 
   const ScaledHand<2>& hand_;
   double weight_, unit_, most_, cap_;
+  dual::ConeHand<2> cones_;
   dual::GripProgram program_;
   const std::vector<Contact<2>>& contacts_;
   std::vector<Drive<2>> drives_;

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 
 #include "physics/scene.hpp"
+#include "poise/grip.hpp"
 #include "poise/hold.hpp"
 #include "random_space_grasps.hpp"
 
@@ -55,6 +56,37 @@ TEST(Replay, OfThreeFingersRoundACylinderIsJustEnough) {
   expect_just_enough(held, {0, 0, 1});
 }
 
+/// Pressed with 1.01 of the least grip it stays, with 0.98 of it it slips.
+void expect_grip_just_enough(const Held& held, const Vector<3>& up) {
+  const Hold<3> found = least_grip(held.grasp(), up);
+  ASSERT_TRUE(found.holdable);
+  const auto pressed = [&](double part) {
+    std::vector<double> normal = normal_forces(found);
+    for (double& force : normal) force *= part;
+    return moved(held, up, 1, normal);
+  };
+  EXPECT_LT(pressed(1.01), slipped / 10);
+  EXPECT_GT(pressed(0.98), slipped * 10);
+}
+
+TEST(Replay, OfTheLeastGripIsJustEnough) {
+  Held jaws{{10, {0, 0, 0}},
+            {contact({0.1, 0, 0}, {-1, 0, 0}, 0.5), contact({-0.1, 0, 0}, {1, 0, 0}, 0.5)}};
+  expect_grip_just_enough(jaws, {0, 0.6, 0.8});
+  for (Contact<3>& c : jaws.contacts) c.torsion = 0.01;
+  jaws.object.com = {0, 0.02, 0};
+  expect_grip_just_enough(jaws, {0, 0, 1});
+  expect_grip_just_enough(jaws, {0, 0.6, 0.8});
+
+  Held three{{20, {0, 0, -0.05}}, {}};
+  for (int k = 0; k < 3; ++k) {
+    const double at = 2 * pi * k / 3;
+    const Vector<3> out(std::cos(at), std::sin(at), 0);
+    three.contacts.push_back(contact(0.04 * out, -out, 0.4));
+  }
+  expect_grip_just_enough(three, {0, 0, 1});
+}
+
 /// The grasp in which each contact presses with the claimed normal force, no more and no less.
 Held pressed(Held held, const std::vector<double>& normal, double friction) {
   for (std::size_t k = 0; k < normal.size(); ++k) {
@@ -71,7 +103,9 @@ RC_GTEST_PROP(Replay, OfAnyGraspHoldsAsClaimed, ()) {
   if (!one_in(40)) return;
   const Held held = *space::grasps({.least_contacts = 2, .awkward = false});
   const Vector<3> up = space::random_direction();
-  const Hold<3> found = hold(held.grasp(), up);
+  const Grasp<3> grasp = held.grasp();
+  const Hold<3> found =
+      one_in(2) && has_grip<3>(grasp) ? least_grip(grasp, up) : hold(grasp, up);
   if (!found.holdable || std::sqrt(found.effort) > 30 * held.object.weight) return;
   const std::vector<double> normal = normal_forces(found);
   RC_ASSERT(moved(held, up, 1.01, normal) < slipped);
