@@ -165,7 +165,8 @@ TEST(Documentation, CertificateListingVerifies) {
     output("build/poise check " + grasp + " --json > " + path("grasp.json"));
     const std::string python = "/usr/bin/python3 " + path("verify.py") + " " + path("grasp.json");
     for (const std::string command : {"hold", "best"}) {
-      output("build/poise " + command + " " + grasp + " --json > " + path("result.json"));
+      output("build/poise " + command + " " + grasp + " --objective effort --json > " +
+             path("result.json"));
       EXPECT_EQ(output(python + " " + path("result.json")), "confirmed\n") << grasp << command;
       EXPECT_NE(output("build/poise verify " + grasp + " " + path("result.json")).find("Confirmed"),
                 std::string::npos)

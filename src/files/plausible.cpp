@@ -53,13 +53,22 @@ void check_com(Doubts& doubts, const Vector<Dim>& com, const ShapeOf<Dim>& shape
 bool is_mesh(const Shape& /*none*/) { return false; }
 bool is_mesh(const Solid& solid) { return std::holds_alternative<MeshShape>(solid); }
 
+/// How far a contact reaches: the middle of a pad on a curved surface is off that.
+double reach_of(const Contact<2>& /*point*/) { return 0; }
+double reach_of(const Contact<3>& contact) {
+  double reach = 0;
+  if (contact.pad)
+    for (const Vector<3>& point : contact.pad->points) reach = std::max(reach, point.norm());
+  return reach;
+}
+
 /// A normal that is written in the file, against the shape, or else against the centre of mass.
 template <int Dim>
 void check_normal(Doubts& doubts, const std::string& path, const std::optional<ShapeOf<Dim>>& shape,
                   const Contact<Dim>& contact, const Vector<Dim>& com) {
   if (shape) {
     const Boundary<Dim> b = boundary(*shape, contact.position);
-    if (b.distance > boundary_tolerance * size(*shape)) {
+    if (b.distance > boundary_tolerance * size(*shape) + reach_of(contact)) {
       doubts.add(path + ".position",
                  "is " + number_text(b.distance, 3) + " m from the boundary of the shape");
     } else if (b.corner.empty()) {
