@@ -45,7 +45,8 @@ void expect_refuted(const GraspFile& file, const Json& result, const std::string
 /// The box between two jaws on its side, pressed harder by s, and a longer dual: the box turning
 /// about the line through both contacts, which does no work.
 Json squeezed(const GraspFile& box, double s, double turning) {
-  Json result = result_of(box, {.command = Command::hold, .up = {1, 0, 0}, .objective = Objective::effort});
+  Json result =
+      result_of(box, {.command = Command::hold, .up = {1, 0, 0}, .objective = Objective::effort});
   double effort = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     Json &contact = result["contacts"][i], &finger = result["fingers"][i];
@@ -396,9 +397,8 @@ TEST(ForgedResults, HoldNoMoreThanTheirDrivesGive) {
   refuted(
       "another objective",
       [&](Json& forged) {
-        Json hold = result_of(file, {.command = Command::hold,
-                                     .up = {0, 0, 1},
-                                     .objective = Objective::effort});
+        Json hold = result_of(
+            file, {.command = Command::hold, .up = {0, 0, 1}, .objective = Objective::effort});
         for (const char* key : {"poise_result", "command", "options"}) hold.erase(key);
         forged["command"] = hold;
       },

@@ -340,8 +340,8 @@ RC_GTEST_PROP(LeastGrip, GrowsWithTheLoad, ()) {
 
 /// Some contacts are pads.
 Grasp<3> random_pads() {
-  space::Held held = *space::grasps(
-      {.least_contacts = 2, .most_contacts = 4, .limits = false, .awkward = false});
+  space::Held held =
+      *space::grasps({.least_contacts = 2, .most_contacts = 4, .limits = false, .awkward = false});
   for (Contact<3>& contact : held.contacts) {
     if (one_in(3)) continue;
     contact.torsion = 0;

@@ -225,7 +225,8 @@ TEST_F(Space, AScenarioThatCannotBeHeldDecides) {
 class SpaceBest : public Space {
  protected:
   Json best(const std::string& file, const std::string& flags = "") const {
-    const Json check = json("check " + file), document = json("best " + file + " --objective effort " + flags);
+    const Json check = json("check " + file),
+               document = json("best " + file + " --objective effort " + flags);
     EXPECT_EQ(keys(document),
               (std::set<std::string>{"poise_result", "command", "options", "status", "best",
                                      "best_pinched", "minima", "minima_complete", "lower_bound",

@@ -69,8 +69,7 @@ class GripTracer {
     const Harmonic1 F = harmonic(found.F, unit_);
     arc.value = {F.c0, F.cos1, F.sin1, 0, 0};
     // Rounding leaves no contact that a drive closes any power.
-    const dual::GripCut<2> cut =
-        dual::grip_cut(cones_, {.y = found.y, .rates = found.rates}, cap_);
+    const dual::GripCut<2> cut = dual::grip_cut(cones_, {.y = found.y, .rates = found.rates}, cap_);
     arc.rates = cut.rates;
     const double sum = std::max(cut.rate_sum, 1.0);
     for (double& rate : *arc.rates) rate /= sum;

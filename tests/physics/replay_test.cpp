@@ -104,8 +104,7 @@ RC_GTEST_PROP(Replay, OfAnyGraspHoldsAsClaimed, ()) {
   const Held held = *space::grasps({.least_contacts = 2, .awkward = false});
   const Vector<3> up = space::random_direction();
   const Grasp<3> grasp = held.grasp();
-  const Hold<3> found =
-      one_in(2) && has_grip<3>(grasp) ? least_grip(grasp, up) : hold(grasp, up);
+  const Hold<3> found = one_in(2) && has_grip<3>(grasp) ? least_grip(grasp, up) : hold(grasp, up);
   if (!found.holdable || std::sqrt(found.effort) > 30 * held.object.weight) return;
   const std::vector<double> normal = normal_forces(found);
   RC_ASSERT(moved(held, up, 1.01, normal) < slipped);
