@@ -33,7 +33,7 @@ echo held-part.svg
 
 # ---- A bottle as it hangs: README --------------------------------------------------------------
 
-"$poise" draw "$examples/bottle.yaml" --up=-1,0,-0.026 -o bottle.svg > /dev/null
+"$poise" draw "$examples/bottle.yaml" --up=-0.998,0,0.070 -o bottle.svg > /dev/null
 echo bottle.svg
 
 # ---- The planar cone and its projection --------------------------------------------------------

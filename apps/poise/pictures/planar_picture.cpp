@@ -7,6 +7,7 @@
 #include "pictures/plot.hpp"
 #include "pictures/scene.hpp"
 #include "poise/grip.hpp"
+#include "tables/parts.hpp"
 #include "tables/table.hpp"
 
 namespace poise {
@@ -46,6 +47,13 @@ std::string axis_text(const Grasp<2>& grasp, const PostureCurve& curve) {
   return curve.objective == Objective::grip
              ? fmt::format("grip to command [{}]", to_string(grip_unit(grasp)))
              : "force norm √V [N]";
+}
+
+/// "grip 1.184 N"
+std::string value_text(const Grasp<2>& grasp, const Posture<2>& posture) {
+  return posture.hold().objective == Objective::grip
+             ? "grip " + grip_text(grasp, posture.hold().grip)
+             : "force norm " + newtons(std::sqrt(posture.effort()));
 }
 
 /// Along the arcs, sharp at their ends, broken where nothing holds.
@@ -172,8 +180,8 @@ void draw_curve(const PlanarFile& file, const Grasp<2>& grasp, const BestAnswer<
   std::string posture_title = "cannot be held";
   if (posture)
     posture_title =
-        fmt::format("{} posture: {}, force norm {}", best.pinched ? "best pinched" : "best",
-                    degrees_text(scene.theta), newtons(std::sqrt(posture->effort())));
+        fmt::format("{} posture: {}, {}", best.pinched ? "best pinched" : "best",
+                    degrees_text(scene.theta), value_text(grasp, *posture));
 
   Script script;
   begin_picture(script, picture_width, picture_height);
@@ -188,7 +196,8 @@ void draw_curve(const PlanarFile& file, const Grasp<2>& grasp, const BestAnswer<
   draw_object(script, file.shape, scene, posture, object_width / object_height);
 
   script.line("set lmargin at screen 0.49\nset rmargin at screen 0.98\nset bmargin at screen 0.32");
-  script.line("set key width -2.4\nset title 'least force norm by posture'");
+  script.line("set key width -1\nset title 'least {} by posture'",
+              answer.best.proof.curve.objective == Objective::grip ? "grip" : "force norm");
   plot_curve(script, file, grasp, answer);
   script.line("unset multiplot");
   draw(script.text(), path);

@@ -37,7 +37,7 @@ View view_from(double azimuth, const Eigen::Quaterniond& orientation) {
 struct Push {
   std::size_t contact;
   Vector<3> tail, head;
-  bool hidden{false}, limited{false};
+  bool hidden{false}, limited{false}, by_pad{false};
 };
 
 /// All that is drawn.
@@ -74,9 +74,12 @@ Picture picture_of(const SpatialFile& file, const Grasp<3>& grasp, const Posture
   for (std::size_t i = 0; i < picture.hold.forces.size(); ++i) {
     const ContactForce<3>& force = picture.hold.forces[i];
     if (force.state == ContactState::unloaded) continue;
-    const Vector<3>& at = grasp.contacts()[i].position;
-    picture.pushes.push_back({i, at - scale * force_vector(grasp.contacts()[i], force), at, false,
-                              force.limit != ForceLimit::none});
+    const Vector<3> at = grasp.contacts()[i].position + force.center_of_pressure;
+    picture.pushes.push_back({.contact = i,
+                              .tail = at - scale * force_vector(grasp.contacts()[i], force),
+                              .head = at,
+                              .limited = force.limit != ForceLimit::none,
+                              .by_pad = grasp.contacts()[i].pad.has_value()});
   }
   picture.weight = load.com - std::max(scale * weight, 0.25 * picture.size) * posture.up;
   return picture;
@@ -184,9 +187,24 @@ void draw_cone(Canvas& canvas, const View& view, const Picture& picture,
   canvas.line(closed, Colour(cone_colour), 0.8);
 }
 
-void draw_pad(Canvas& canvas, const View& view, const Picture& picture, const Contact<3>& contact) {
-  canvas.fill(circle(view, contact.position, contact.normal, 0.12 * picture.cone_length),
-              Colour(line_colour));
+/// A pad as far as its pressure can move, a point as a disc.
+void draw_finger(Canvas& canvas, const View& view, const Picture& picture,
+                 const Contact<3>& contact) {
+  if (!contact.pad || contact.pad->reach.isZero(0)) {
+    canvas.fill(circle(view, contact.position, contact.normal, 0.12 * picture.cone_length),
+                Colour(line_colour));
+    return;
+  }
+  const Pad& pad = *contact.pad;
+  Vector<3> middle = contact.position;
+  for (std::size_t k = 0; k < pad.points.size(); ++k) middle += pad.shares[k] * pad.points[k];
+  const Vector<3> along = pad.reach.x() * pad.axis,
+                  across = pad.reach.y() * contact.normal.cross(pad.axis);
+  std::vector<Vector<2>> outline;
+  for (const auto& [a, b] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}})
+    outline.push_back(view.at(middle + a * along + b * across));
+  canvas.fill(outline, Colour(line_colour, 0.6));
+  canvas.line(outline, Colour(line_colour), 2);
 }
 
 Colour push_colour(const Push& push) { return push.limited ? limit_colour : force_colour; }
@@ -319,7 +337,10 @@ void draw_legend(Canvas& canvas, const Picture& picture) {
   entry("weight", weight_colour, true, {});
   if (any(&Push::limited)) entry("at its force limit", limit_colour, true, {});
   if (any(&Push::hidden)) entry("from behind", force_colour, true, {4, 3});
-  if (!picture.pushes.empty()) entry("finger force", force_colour, true, {});
+  const bool pads = any(&Push::by_pad);
+  if (!picture.pushes.empty())
+    entry(pads ? "finger force, at a pad's centre of pressure" : "finger force", force_colour, true,
+          {});
 }
 
 /// All that is drawn, in the middle and as large as there is room for.
@@ -358,7 +379,7 @@ void draw_held_object(Canvas& canvas, const View& view, const Picture& picture, 
     return contact.normal.dot(view.toward) > 0;
   };
   const auto draw = [&](const Contact<3>& contact) {
-    draw_pad(canvas, view, picture, contact);
+    draw_finger(canvas, view, picture, contact);
     draw_cone(canvas, view, picture, contact);
   };
   for (const Contact<3>& contact : contacts)
@@ -384,6 +405,7 @@ void draw_forces(Canvas& canvas, const View& view, const Picture& picture) {
     canvas.arrow(from, to, push_colour(push), push.hidden ? 0.8 * arrow : arrow,
                  push.hidden ? std::vector<double>{5, 3} : std::vector<double>{});
     lines.emplace_back(from, to);
+    if (push.by_pad) canvas.dot(to, 4, push_colour(push));
   }
   canvas.arrow(com, view.at(picture.weight), Colour(weight_colour), 3.2);
   canvas.dot(com, 5, Colour(weight_colour));
