@@ -117,10 +117,11 @@ struct Cone {
   /// The least t > 0 with x + t dx on the border.
   static T way(const Spin<D, T>& x, const Spin<D, T>& dx) {
     const T a = dx.square(), b = x.head * dx.head - x.tail.dot(dx.tail), c = x.square();
-    // Whoever goes back in a timelike direction meets the border: the root is real.
     if (a >= 0 && b >= 0) return infinity;
+    // Whoever goes back in a timelike direction meets the border: the root is real.
     using std::sqrt;
-    return c / (sqrt(std::max<T>(b * b - a * c, 0)) - b);
+    const T root = sqrt(std::max<T>(b * b - a * c, 0));
+    return b < 0 ? c / (root - b) : (b + root) / -a;
   }
   T way() const { return std::min<T>(way(s, ds), way(u, du)); }
   void go(const T& length) {

@@ -162,7 +162,7 @@ Allowed allowed_of(const RealGrasp& grasp, const HoldClaim<Dim>& hold) {
   const bool inside = hold.objective == Objective::grip || hold.rates ||
                       std::any_of(grasp.contacts.begin(), grasp.contacts.end(),
                                   [](const auto& contact) { return contact.pad.has_value(); });
-  return inside ? Allowed{1e-8L, 1e-9L} : Allowed{1e-11L, 0};
+  return inside ? Allowed{1e-8L, 1e-9L} : Allowed{3e-11L, 0};
 }
 
 template <int Dim>
