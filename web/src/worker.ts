@@ -1,4 +1,4 @@
-// What takes longer than a frame: the certified best posture in space, and the efforts all around.
+// What takes longer than a frame: the certified best posture in space, and the values all around.
 import { askSpatial, BadGrasp, start, type Plane, type SpatialBest } from './core';
 import type { SpatialGrasp, Vec } from './grasp';
 import { icosahedron, refined, split } from './mesh';
@@ -15,11 +15,11 @@ export type Part =
   | ({ id: number } & Coloured)
   | { id: number; done: true };
 
-/** Efforts at the points of a sphere; then, of each `split` of it where postures can no longer be held,
+/** F or V at the points of a sphere; then, of each `split` of it where postures can no longer be held,
  * at the new ones. */
 export interface Coloured {
   level: number;
-  efforts: (number | null)[];
+  values: (number | null)[];
 }
 
 /** Spheres to be coloured: a rough one at once, a fine one in the end, and finer where holdable postures
@@ -50,20 +50,20 @@ self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task>) => {
 
 function* parts({ grasp }: Task) {
   try {
-    const efforts = (ups: Vec[]) => (ups.length ? askSpatial('efforts', grasp, { ups }).efforts : []);
-    yield { level: levels[0]!, efforts: efforts(refined(icosahedron, levels[0]!).points) };
+    const values = (ups: Vec[]) => (ups.length ? askSpatial('values', grasp, { ups }).values : []);
+    yield { level: levels[0]!, values: values(refined(icosahedron, levels[0]!).points) };
     const best = askSpatial('best', grasp);
     const { planes } = askSpatial('planes', grasp, { cuts: best.cuts });
     const normal = best.lower_bound === null ? undefined : flat(planes, best.lower_bound);
     const ups = normal && circle(normal);
-    yield { best, planes, ring: ups && { normal, ups, efforts: efforts(ups) } };
+    yield { best, planes, ring: ups && { normal, ups, values: values(ups) } };
     let net = refined(icosahedron, levels[1]!);
-    const all = efforts(net.points);
+    const all = values(net.points);
     for (let k = 0; k < finer && !normal; ++k) {
       net = split(net, (point) => all[point] === null);
-      all.push(...efforts(net.points.slice(all.length)));
+      all.push(...values(net.points.slice(all.length)));
     }
-    yield { level: levels[1]!, efforts: all };
+    yield { level: levels[1]!, values: all };
   } catch (error) {
     // The page has been told already.
     if (!(error instanceof BadGrasp)) throw error;
