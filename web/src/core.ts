@@ -141,6 +141,8 @@ export interface Margins {
   greatest_weight: number | null;
   /** On all frictions together; null: none is enough. */
   friction_factor: number | null;
+  /** Of the grip in space, which may have a kink there: its changes per degree, to all sides. */
+  slopes?: number[];
 }
 
 /** What is least if nothing is asked for; without a unit there is no grip. */

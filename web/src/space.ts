@@ -5,7 +5,7 @@ import { scenariosOf, type Objective, type SpatialGrasp, type Vec } from './gras
 import { measure, type Measure } from './measure';
 import { bodyOf, bodyOfMesh, type Body, type Triangles } from './mesh';
 import type { Ring } from './ring';
-import { about, after, angle, ballOf, towards, turned, turnedBack, unit, type Ball, type Turn } from './turn';
+import { about, add, after, angle, ballOf, frame, times, towards, turned, turnedBack, unit, type Ball, type Turn } from './turn';
 import { radians } from './vector';
 import Worker from './worker?worker&inline';
 import type { Coloured, Part, Task } from './worker';
@@ -155,7 +155,17 @@ export class SpatialModel {
   }
 
   margins(): Margins {
-    return askSpatial('margins', this.answers.grasp, { up: this.up });
+    const { grasp, hold, measure } = this.answers;
+    const margins = askSpatial('margins', grasp, { up: this.up });
+    if (measure.objective === 'effort' || !hold.holdable) return margins;
+    const [x, y, z] = frame(hold.up);
+    const [degrees, sides] = [0.02, 16];
+    const ups = Array.from({ length: sides }, (_, k) => {
+      const side = add(times(Math.cos((2 * Math.PI * k) / sides), x), times(Math.sin((2 * Math.PI * k) / sides), y));
+      return add(times(Math.cos(radians(degrees)), z), times(Math.sin(radians(degrees)), side));
+    });
+    const values = askSpatial('values', grasp, { ups: [hold.up, ...ups] }).values;
+    return { ...margins, slopes: values.slice(1).flatMap((value) => (value === null ? [] : [(value - values[0]!) / degrees])) };
   }
 
   holdAt(posture: Vec, objective: Objective): Hold<Vec> {

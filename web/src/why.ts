@@ -1,5 +1,5 @@
 // Why the object is held as it is, in words that come from the answer alone.
-import { proofOf, type AnyHold, type Held, type Margins, type Optimum, type SpatialBest } from './core';
+import type { AnyHold, Held, Margins, Optimum, SpatialBest } from './core';
 import { contains, slope } from './curve';
 import type { Point, Vec } from './grasp';
 import type { SpatialModel } from './space';
@@ -115,24 +115,36 @@ export function whyInSpace(model: SpatialModel, margins: Margins | undefined): s
     return said;
   }
   const contacts = contactsInWords(check.contacts, hold);
-  return [of ? of + contacts.charAt(0).toLowerCase() + contacts.slice(1) : contacts, steepest(model, hold), best ? comparedInSpace(model, best) : '', margins ? stillHolds(margins) : ''].filter(Boolean);
+  return [of ? of + contacts.charAt(0).toLowerCase() + contacts.slice(1) : contacts, steepest(model, hold, margins), best ? comparedInSpace(model, best) : '', margins ? stillHolds(margins) : ''].filter(Boolean);
 }
 
 const allowed = ({ answers }: SpatialModel) => (answers.check.tilt ? 'allowed' : 'other');
 
-/** F changes with the posture as the load does, by the velocity of the com under y; V by twice that. */
-function steepest(model: SpatialModel, hold: Held<Vec>): string {
+/** V changes with the posture as the load does, by twice the velocity of the com under y. The grip may
+ * have a kink, where y is one of many. */
+function steepest(model: SpatialModel, hold: Held<Vec>, margins: Margins | undefined): string {
   const { measure } = model.answers;
-  const proof = proofOf(hold);
-  const v = proof.slice(0, 3) as unknown as Vec;
-  const w = proof.slice(3) as unknown as Vec;
+  if (model.minimum(hold.up)) return 'A local minimum: no small turn needs less.';
+  if (measure.objective === 'grip') return margins?.slopes?.length ? amongSlopes(margins.slopes, measure.of(hold), measure.text) : '';
+  const v = hold.dual!.slice(0, 3) as unknown as Vec;
+  const w = hold.dual!.slice(3) as unknown as Vec;
   const { weight, com } = model.scenario;
-  const gradient = times(weight / (measure.objective === 'grip' ? 1 : hold.force_norm), add(v, cross(w, com)));
+  const gradient = times(weight / hold.force_norm, add(v, cross(w, com)));
   const across = minus(gradient, times(dot(gradient, hold.up), hold.up));
   const perDegree = length(across) * radians(1);
-  if (model.minimum(hold.up)) return 'A local minimum: no small turn needs less.';
-  if (!(perDegree >= 1e-6 * measure.of(hold))) return 'A small turn changes next to nothing.';
-  return `Turned on, the ${measure.name} changes by up to ${measure.text(perDegree)} per degree; a turn about the vertical changes nothing.`;
+  if (perDegree < 1e-6 * hold.force_norm) return 'A small turn changes next to nothing.';
+  return changes(measure.name, newtons(perDegree));
+}
+
+const changes = (name: string, most: string) => `Turned on, the ${name} changes by up to ${most} per degree; a turn about the vertical changes nothing.`;
+
+function amongSlopes(slopes: number[], grip: number, text: (shown: number) => string): string {
+  const [least, most] = [Math.min(...slopes), Math.max(...slopes)];
+  const little = 1e-4 * grip;
+  if (least > little) return `A kink: whatever the turn, the grip rises, by ${text(least)} per degree and more.`;
+  if (most < -little) return `A kink: whatever the turn, the grip falls, by ${text(-most)} per degree and more.`;
+  const greatest = Math.max(most, -least);
+  return greatest < little ? 'A small turn changes next to nothing.' : changes('grip', text(greatest));
 }
 
 function comparedInSpace(model: SpatialModel, { best, best_pinched, status, relative_gap, holds }: SpatialBest): string {

@@ -41,27 +41,37 @@ self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task>) => {
   await new Promise((done) => setTimeout(done));
   if (data.id !== latest) return;
   for (const part of parts(data)) {
-    postMessage({ id: data.id, ...part });
+    if (part) postMessage({ id: data.id, ...part });
     await new Promise((done) => setTimeout(done));  // another task may have come
     if (data.id !== latest) return;
   }
   postMessage({ id: data.id, done: true });
 };
 
+/** Nothing in between: there another task may come. */
+function* valuesAt(grasp: SpatialGrasp, ups: Vec[]): Generator<undefined, (number | null)[]> {
+  const all: (number | null)[] = [];
+  for (let k = 0; k < ups.length; k += 250) {
+    all.push(...askSpatial('values', grasp, { ups: ups.slice(k, k + 250) }).values);
+    yield;
+  }
+  return all;
+}
+
 function* parts({ grasp }: Task) {
   try {
-    const values = (ups: Vec[]) => (ups.length ? askSpatial('values', grasp, { ups }).values : []);
-    yield { level: levels[0]!, values: values(refined(icosahedron, levels[0]!).points) };
+    const values = (ups: Vec[]) => valuesAt(grasp, ups);
+    yield { level: levels[0]!, values: yield* values(refined(icosahedron, levels[0]!).points) };
     const best = askSpatial('best', grasp);
     const { planes } = askSpatial('planes', grasp, { cuts: best.cuts });
     const normal = best.lower_bound === null ? undefined : flat(planes, best.lower_bound);
     const ups = normal && circle(normal);
-    yield { best, planes, ring: ups && { normal, ups, values: values(ups) } };
+    yield { best, planes, ring: ups && { normal, ups, values: yield* values(ups) } };
     let net = refined(icosahedron, levels[1]!);
-    const all = values(net.points);
+    const all = yield* values(net.points);
     for (let k = 0; k < finer && !normal; ++k) {
       net = split(net, (point) => all[point] === null);
-      all.push(...values(net.points.slice(all.length)));
+      all.push(...(yield* values(net.points.slice(all.length))));
     }
     yield { level: levels[1]!, values: all };
   } catch (error) {

@@ -39,11 +39,13 @@ for (const [label, what] of labels.flatMap((each) => [[each, 'grip'], [each, 'ef
     expect(shown.length === 0 && label.includes('4(c): '), `${label}: nothing holds it`, shown);
     continue;
   }
+  // In space, of postures that need the same grip, rounding decides which one is found.
+  const anyUp = space && what === 'grip';
   const wanted = best.minima.slice(0, 8).map((each) => [
-    space ? `(${each.up.map((part) => fixed(part, 3)).join(', ')})` : `${fixed(each.angle_deg, 2)}°`,
+    ...(anyUp ? [] : [space ? `(${each.up.map((part) => fixed(part, 3)).join(', ')})` : `${fixed(each.angle_deg, 2)}°`]),
     ...(what === 'grip' ? [`${four(each.grip)} N`, `√V ${four(each.force_norm)} N`] : [`${four(each.force_norm)} N`, `grip ${four(each.grip)} N`]),
   ].join(' '));
-  const found = shown.map((parts) => parts.slice(0, 3).join(' '));
+  const found = shown.map((parts) => parts.slice(anyUp ? 1 : 0, 3).join(' '));
   expect(found.sort().join('\n') === wanted.sort().join('\n'), `${label}, ${what}`, found, wanted);
   const main = shown.find((parts) => parts.includes('best'));
   expect(main?.[1] === `${four(what === 'grip' ? best.best.grip : best.best.force_norm)} N`, `${label}, ${what}: the best`, main);
@@ -74,6 +76,23 @@ async function changes(what, act) {
   expect(before[0] !== after[0], `${what}: the hold changes`, after[0]);
   return before[1] !== after[1];
 }
+// Three fingers evenly round a cylinder, above its centre of mass: upright each presses with W/(3 mu), and
+// a tilt adds to what one of them carries. The colours are those of what is least.
+await shows('cylinder in three fingers');
+const { object, contacts } = JSON.parse(readFileSync(`${root}build/fixtures/cylinder-three-fingers.grasp.json`, 'utf8'));
+for (const what of ['grip', 'effort']) {
+  await minimise(page, what);
+  await settled(page);
+  await frame(page);
+  const { best } = JSON.parse(readFileSync(`${root}build/fixtures/cylinder-three-fingers.best.${what}.json`, 'utf8'));
+  const legend = await page.$$eval('#sphere .legend text', (all) => all.map((each) => each.textContent));
+  expect(legend[0] === four(what === 'grip' ? best.grip : best.force_norm) && legend.includes(what === 'grip' ? 'grip F [N]' : 'force norm √V [N]'), `the colours of ${what}`, legend);
+  await page.screenshot({ path: `${out}space-${what}.png` });
+}
+await minimise(page, 'grip');
+expect((await verdict(page)).includes(`: grip ${four(object.weight / (3 * contacts[0].friction))} N, `), 'W/(3 mu)', await verdict(page));
+await page.waitForFunction(() => document.querySelector('#why').textContent.includes('Pressing harder'));
+expect((await page.textContent('#why')).includes('A kink: whatever the turn, the grip rises'), 'a kink in space', await page.textContent('#why'));
 await shows('box in three fingers');
 await page.screenshot({ path: `${out}space.png` });
 expect(await changes('a finger', () => drag(page, '#space .contact .grab', 25, -6)), 'a finger changes the minima');
