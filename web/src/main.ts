@@ -52,7 +52,14 @@ interface Sheet<Kind extends Grasp> {
 
 const objectives = [...document.querySelectorAll<HTMLInputElement>('[name=objective]')];
 for (const each of objectives)
-  each.addEventListener('change', () => sheet?.minimise(each.value as Objective));
+  each.addEventListener('change', () => {
+    try {
+      sheet?.minimise(each.value as Objective);
+    } catch (error) {
+      if (!(error instanceof BadGrasp)) throw error;
+      say(error.message, true);
+    }
+  });
 
 /** What is least, wherever it is said. */
 function drawObjective({ objective }: Measure, unit: GripUnit | null): void {

@@ -73,7 +73,9 @@ export class PlanarModel {
     this.changed(true);
   }
 
+  /** @throws BadGrasp where the drives' limits leave no curve of the effort, and nothing changes. */
   minimise(objective: Objective): void {
+    ask('curve', this.answers.grasp, { objective });
     this.edit((grasp) => void (grasp.objective = objective));
   }
 
@@ -128,11 +130,20 @@ export class PlanarModel {
       check: ask('check', grasp),
       gripUnit: grip_unit,
       measure: measure(objective, grip_unit),
-      other: grip_unit === 'N' ? ask('curve', grasp, { domain, objective: other }) : undefined,
+      other: grip_unit === 'N' ? this.curveOf(other, grasp) : undefined,
       best: ask('best', grasp, { domain }),
       curve: ask('curve', grasp, { domain }),
       hold: ask('hold', grasp, { angle_deg: this.angle }),
     };
+  }
+
+  private curveOf(objective: Objective, grasp: PlanarGrasp): Curve | undefined {
+    try {
+      return ask('curve', grasp, { domain: this.domain, objective });
+    } catch (error) {
+      if (error instanceof BadGrasp) return undefined;
+      throw error;
+    }
   }
 
   /** As it is held now; else the best pinched posture, the one that is worth looking at. */

@@ -75,7 +75,7 @@ function further(answers: PlanarAnswers, angle: number, hold: Held<Point>, optim
     const by = slope(answers.curve, angle, side);
     if (by === undefined && leftOut(answers, angle + 0.01 * side)) return `${way} the postures are in the fork of the fingers, and left out`;
     if (by === undefined) return `turned further ${way} it cannot be held`;
-    if (Math.abs(by) < 1e-6 * measure.of(hold)) return `${way} the ${measure.name} stays level at first`;
+    if (Math.abs(by) < Math.max(1e-6 * measure.of(hold), 5e-10)) return `${way} the ${measure.name} stays level at first`;
     return `${way} it ${by > 0 ? 'rises' : 'falls'} by ${measure.text(Math.abs(by))} per degree`;
   };
   const both = `Turned on, ${said(1)}, and ${said(-1)}.`.replace('Turned on, turned further', 'Turned further');
@@ -140,7 +140,7 @@ const changes = (name: string, most: string) => `Turned on, the ${name} changes 
 
 function amongSlopes(slopes: number[], grip: number, text: (shown: number) => string): string {
   const [least, most] = [Math.min(...slopes), Math.max(...slopes)];
-  const little = 1e-4 * grip;
+  const little = Math.max(1e-4 * grip, 5e-10);
   if (least > little) return `A kink: whatever the turn, the grip rises, by ${text(least)} per degree and more.`;
   if (most < -little) return `A kink: whatever the turn, the grip falls, by ${text(-most)} per degree and more.`;
   const greatest = Math.max(most, -least);

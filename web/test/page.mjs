@@ -200,6 +200,19 @@ await frame(page);
 expect((await objective(page)) === 'effort' && (await page.isDisabled('[value=grip]')) && (await page.isVisible('#no-grip')), 'no grip');
 expect((await verdict(page)).endsWith('grip –'), 'which is said', await verdict(page));
 
+// A greatest force of the drives: the effort has no curve there, and words say so.
+facing.contacts.forEach((contact, k) => (contact.finger = ['left', 'right'][k]));
+facing.fingers = { left: { max_force: 14 }, right: { max_force: 14 } };
+writeFileSync(`${out}limited.json`, JSON.stringify(facing));
+await page.evaluate(() => delete document.body.dataset.opening);
+await page.setInputFiles('#file', `${out}limited.json`);
+await page.waitForSelector('body[data-opening=""]');
+await frame(page);
+expect((await verdict(page)).includes(`: grip ${grip} N`) && (await page.isHidden('#key-other')) && (await page.isVisible('#key-unholdable')), 'up to the greatest force', await verdict(page));
+await page.locator('#objective label', { hasText: 'least effort' }).click();
+await frame(page);
+expect((await objective(page)) === 'grip' && (await page.textContent('#problem')).includes('which the curve of effort does not take into account'), 'no curve of the effort', await page.textContent('#problem'));
+
 // With a grasp inside, whose name is full of markup.
 const grasp = JSON.parse(readFileSync(`${root}build/fixtures/l-part.grasp.json`, 'utf8'));
 grasp.name = '</script><img src=x onerror=alert(1)>';
