@@ -67,10 +67,10 @@ export class Plot {
     keySteps(this.handle, (dx, dy) => this.model.turnTo(this.model.angle + dx + dy));
   }
 
-  /** By factors of ten where the curve climbs far above its lowest point. */
+  /** By factors of ten where the curve climbs far above its lowest point, unless that is nothing. */
   suitScale(): void {
     const { low, high } = this.range();
-    this.view.logarithmic = high > 20 * low;
+    this.view.logarithmic = high > 20 * low && low > 1e-6 * high;
   }
 
   private squared = () => this.view.squared && this.model.answers.measure.objective === 'effort';
@@ -100,8 +100,8 @@ export class Plot {
       const highest = Math.max(...heights);
       return [{ low, high: Math.min(highest, Math.max(1000 * low, 3 * Math.max(...minima))) }];
     });
-    const high = Math.max(...ranges.map((each) => each.high)) || 1;
-    return { low: Math.max(Math.min(...ranges.map((each) => each.low)), high / 1e4), high };
+    const [low, high] = [Math.min(...ranges.map((each) => each.low)), Math.max(...ranges.map((each) => each.high))];
+    return high > 5e-10 ? { low, high } : { low: 0, high: 1 };
   }
 
   draw(): void {
@@ -143,7 +143,7 @@ export class Plot {
     const { low, high } = this.range();
     const [least, most] = [this.scaled(low), this.scaled(high)];
     const { logarithmic } = this.view;
-    const [bottom, top] = logarithmic ? [0.45 * least, 1.7 * most] : [0, 1.12 * most];
+    const [bottom, top] = logarithmic ? [0.45 * Math.max(least, most / 1e4), 1.7 * most] : [0, 1.12 * most];
     const part = (value: number) =>
       logarithmic
         ? Math.log(Math.max(value, 1e-300) / bottom) / Math.log(top / bottom)
