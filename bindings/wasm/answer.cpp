@@ -5,10 +5,12 @@
 
 #include "ask/ask.hpp"
 #include "ask/document.hpp"
+#include "dual/exact.hpp"
 #include "files/field.hpp"
 #include "files/grasp_document.hpp"
 #include "files/grasp_writer.hpp"
 #include "files/json_text.hpp"
+#include "poise/grip.hpp"
 
 namespace poise {
 namespace {
@@ -46,8 +48,8 @@ std::string margins(const FileOf<Dim>& file, const Grasp<Dim>& grasp, Question q
                     {"friction_factor", number(friction.factor)}});
 }
 
-/// V at each of the postures `ups`, null where unholdable.
-Json efforts(const Grasp<3>& grasp, const std::vector<Field>& ups, const HoldSettings& settings) {
+/// F or V at each of the postures `ups`, null where unholdable.
+Json values(const Grasp<3>& grasp, const std::vector<Field>& ups, const HoldSettings& settings) {
   Json result = Json::array();
   std::vector<Hold<3>> holds(grasp.loads().size());  // in the posture before
   for (const Field& each : ups) {
@@ -59,7 +61,7 @@ Json efforts(const Grasp<3>& grasp, const std::vector<Field>& ups, const HoldSet
       if (holds[k].holdable)
         there = hold<3>(grasp, load.at(up), load.weight, holds[k].dual, settings);
       if (!there.holdable) there = hold<3>(grasp, load, up, settings);
-      most = std::max(most, there.holdable ? there.effort : INFINITY);
+      most = std::max(most, there.holdable ? there.value() : INFINITY);
       holds[k] = std::move(there);
     }
     result.push_back(std::isfinite(most) ? Json(most) : Json());
@@ -67,73 +69,110 @@ Json efforts(const Grasp<3>& grasp, const std::vector<Field>& ups, const HoldSet
   return result;
 }
 
-/// What each cut says of any x in R^3: V(x) >= a . x - b, x = 1 being the weight [N^2].
-Json planes(const Grasp<3>& grasp, const std::vector<Field>& cuts) {
+/// What each cut says of any x in R^3, x = 1 being the weight: rate value >= a . x - b, with the
+/// value F or V.
+Json planes(const Grasp<3>& grasp, const std::vector<Field>& cuts, const HoldSettings& settings) {
+  const bool is_grip = settings.objective == Objective::grip;
+  const bool in_parts = is_grip && grip_unit(grasp) == GripUnit::part_of_max;
+  double greatest = 0;
+  for (const Load<3>& load : grasp.loads()) greatest = std::max(greatest, load.weight);
   Json result = Json::array();
   for (const Field& cut : cuts) {
-    Vector<3> a;
-    double b = 0;
     if (const auto n = cut.find("n")) {
-      a = n->vector<3>();
-    } else {
-      const auto scenario = static_cast<std::size_t>(cut.get("scenario", "an index").number());
-      if (scenario >= grasp.loads().size())
-        cut.fail("is of a scenario that the grasp does not have");
-      const Load<3>& load = grasp.loads()[scenario];
-      const std::vector<Field> parts = cut.get("y", "six numbers").list();
-      if (parts.size() != 6) cut.fail("must have a y of six numbers");
-      Twist<3> y;
-      for (Eigen::Index k = 0; k < 6; ++k) y[k] = parts[static_cast<std::size_t>(k)].number();
-      b = -bound(grasp, load.fixed, y);
-      for (int k = 0; k < 3; ++k) a[k] = bound(grasp, load.at(Vector<3>::Unit(k)), y) + b;
+      const Vector<3> a = n->vector<3>();
+      result.push_back({{"a", {a.x(), a.y(), a.z()}}, {"b", 0}, {"rate", 0}});
+      continue;
     }
-    result.push_back({{"a", {a.x(), a.y(), a.z()}}, {"b", b}});
+    const auto scenario = static_cast<std::size_t>(cut.get("scenario", "an index").number());
+    if (scenario >= grasp.loads().size()) cut.fail("is of a scenario that the grasp does not have");
+    const Load<3>& load = grasp.loads()[scenario];
+    const std::vector<Field> parts = cut.get("y", "six numbers").list();
+    if (parts.size() != 6) cut.fail("must have a y of six numbers");
+    Twist<3> y;
+    for (Eigen::Index k = 0; k < 6; ++k) y[k] = parts[static_cast<std::size_t>(k)].number();
+    const auto given = cut.find("rates");
+    const std::vector<Field> list = given ? given->list() : std::vector<Field>{};
+    dual::Rates rates(list.size());
+    double sum = 0;
+    for (std::size_t k = 0; k < list.size(); ++k) sum += rates[k] = list[k].number();
+    if (!rates.empty() && rates.size() != grasp.drives().size())
+      cut.fail("must have a rate for each drive");
+    const auto proven =
+        static_cast<double>(is_grip ? dual::grip_bound<3>(grasp, load.fixed, y, rates, in_parts,
+                                                          settings.force_cap * greatest)
+                                    : dual::effort_bound<3>(grasp, load.fixed, y, rates, 1));
+    const double times = is_grip ? 1 : 2;
+    Json a = Json::array();
+    for (int k = 0; k < 3; ++k)
+      a.push_back(times * y.dot(load.at(Vector<3>::Unit(k)) - load.fixed));
+    result.push_back({{"a", std::move(a)}, {"b", -proven}, {"rate", is_grip ? sum : 1}});
   }
   return result;
 }
 
-Question question_of(const Field& root, const std::string& word) {
+/// With the objective that is asked for, else that of the file; the effort where there is no grip.
+template <int Dim>
+Question question_of(const Field& root, const std::string& word, const FileOf<Dim>& file,
+                     const Grasp<Dim>& grasp) {
   constexpr std::pair<const char*, Command> commands[] = {{"check", Command::check},
                                                           {"hold", Command::hold},
                                                           {"best", Command::best},
                                                           {"curve", Command::curve}};
-  Question question{.objective = Objective::effort, .force_cap = read_cap(root)};  // what it draws
+  Question question{.objective = file.objective, .force_cap = read_cap(root)};
+  if (const auto objective = root.find("objective"))
+    question.objective =
+        objective->word({"grip", "effort"}) == "grip" ? Objective::grip : Objective::effort;
+  if (!has_grip(grasp)) question.objective = Objective::effort;
   for (const auto& [name, command] : commands)
     if (word == name) question.command = command;
   return question;
 }
 
+/// In what the grip is told, and what is least if nothing is asked for.
+template <int Dim>
+std::string objectives(const FileOf<Dim>& file, const Grasp<Dim>& grasp) {
+  return json_text({{"objective", to_string(file.objective)},
+                    {"grip_unit", has_grip(grasp) ? Json(to_string(grip_unit(grasp))) : Json()}});
+}
+
 std::string answer(const std::string& command, const Field& root, const PlanarFile& file) {
-  root.mapping({"command", "grasp", "angle_deg", "domain", "force_cap"}, {"up", "ups", "cuts"},
-               "is for space, not for the plane");
-  root.get("command", "").word({"check", "hold", "best", "curve", "margins"});
+  root.mapping({"command", "grasp", "angle_deg", "domain", "force_cap", "objective"},
+               {"up", "ups", "cuts"}, "is for space, not for the plane");
+  root.get("command", "").word({"check", "hold", "best", "curve", "margins", "objectives"});
   const Grasp<2> grasp = file.grasp();
-  Question question = question_of(root, command);
+  Question question = question_of<2>(root, command, file, grasp);
   if (const auto domain = root.find("domain"))
     question.domain =
         domain->word({"all", "pinching-up"}) == "all" ? Domain::all : Domain::pinching_up;
   if (const auto angle = root.find("angle_deg")) question.angle_deg = angle->number();
   if (command == "margins") return margins<2>(file, grasp, question);
+  if (command == "objectives") return objectives<2>(file, grasp);
   return document(file, grasp, ask(file, grasp, question));
 }
 
 std::string answer(const std::string& command, const Field& root, const SpatialFile& file) {
-  root.mapping({"command", "grasp", "up", "force_cap", "ups", "cuts"}, {"angle_deg", "domain"},
-               "is for the plane, not for space");
-  root.get("command", "").word({"check", "hold", "best", "margins", "efforts", "planes"});
+  root.mapping({"command", "grasp", "up", "force_cap", "objective", "ups", "cuts"},
+               {"angle_deg", "domain"}, "is for the plane, not for space");
+  root.get("command", "")
+      .word({"check", "hold", "best", "margins", "objectives", "values", "planes"});
   const Grasp<3> grasp = file.grasp();
-  Question question = question_of(root, command);
+  Question question = question_of<3>(root, command, file, grasp);
   if (const auto up = root.find("up")) {
     const Vector<3> given = up->vector<3>();
     if (!(given.stableNorm() > 0)) up->fail("has no length, must be a direction");
     question.up.assign(given.begin(), given.end());
   }
   if (command == "margins") return margins<3>(file, grasp, question);
-  if (command == "efforts")
-    return json_text({{"efforts", efforts(grasp, root.get("ups", "directions").list(),
-                                          {.force_cap = question.force_cap})}});
+  if (command == "objectives") return objectives<3>(file, grasp);
+  const HoldSettings settings{.force_cap = question.force_cap, .objective = *question.objective};
+  const std::string objective = to_string(settings.objective);
+  if (command == "values")
+    return json_text({{"objective", objective},
+                      {"values", values(grasp, root.get("ups", "directions").list(), settings)}});
   if (command == "planes")
-    return json_text({{"planes", planes(grasp, root.get("cuts", "those of best").list())}});
+    return json_text(
+        {{"objective", objective},
+         {"planes", planes(grasp, root.get("cuts", "those of best").list(), settings)}});
   return document(file, grasp, ask(file, grasp, question));
 }
 

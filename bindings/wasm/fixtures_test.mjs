@@ -1,8 +1,8 @@
 // Whether the WebAssembly module answers as the native program does: node fixtures_test.mjs MODULE
-// FIXTURES EXAMPLES PROGRAM. Numbers to 1e-9 of themselves, those near nothing to 1e-12, and to 1e-9 of
-// the best posture in space; everything else exactly. Other minima in space are found by descent: V is
-// flat there, so that V is as exact, and where it lies only to 1e-7; where a search went another way,
-// to 1e-5.
+// FIXTURES EXAMPLES PROGRAM. For grip and for effort. Numbers to 1e-9 of themselves, those near nothing
+// to 1e-12, and to 1e-9 of the best posture in space; forces of the least grip to 1e-8; everything else
+// exactly. Other minima in space are found by descent: V is flat there, so that V is as exact, and where
+// it lies only to 1e-7; where a search went another way, to 1e-5, and of the grip its best value.
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -34,14 +34,21 @@ function compare(found, wanted, path, exact = 1e-9) {
       // At a kink many y are optimal, and so are many cuts of a corner; which ones are found is
       // rounding. What they prove is compared: all cuts together to the gap that was asked for.
       if (key === 'dual' && (wanted.kind === 'kink' || exact > 1e-9)) continue;
-      if (key === 'cuts' || key === 'holds') continue;
+      // So are the proofs of a grip that several drives or contacts decide.
+      if (key === 'cuts' || key === 'holds' || key === 'y' || key === 'rates') continue;
       if ((key === 'lower_bound' || key === 'relative_gap') && wanted.cuts && !sameSearch(found, wanted)) continue;
       const searched = ['minima', 'best', 'best_pinched', 'rotation', 'orientation', 'relative_gap'].includes(key);
+      // Of equally good postures any may be found.
+      if (wanted.options?.objective === 'grip' && wanted.cuts && searched && !sameSearch(found, wanted)) {
+        if (key === 'best') compare(valueOf(found.best), valueOf(wanted.best), `${path}.best`, wanted.options.gap);
+        continue;
+      }
       const flat = wanted.cuts && searched && (!sameSearch(found, wanted) ? 1e-5 : key === 'minima' ? 1e-7 : 1.1e-9);
+      const isGrip = (wanted.options ?? wanted).objective === 'grip';
       const ofHold = key !== 'effort' || 'force_norm' in wanted; // else of a drive
-      const sure = ofHold && ['effort', 'force_norm', 'scenario_efforts', 'lower_bound'].includes(key);
+      const sure = ofHold && [...(wanted.objective === 'grip' ? ['grip'] : ['effort', 'force_norm']), 'scenario_efforts', 'lower_bound'].includes(key);
       const listed = (each) => (key === 'minima' && flat ? [...each.minima].sort(inOrder) : each?.[key]);
-      compare(listed(found), listed(wanted), `${path}.${key}`, sure ? 1e-9 : flat || exact);
+      compare(listed(found), listed(wanted), `${path}.${key}`, sure ? 1e-9 : flat || (isGrip ? Math.max(exact, 1e-8) : exact));
     }
   }
 }
@@ -49,19 +56,22 @@ function compare(found, wanted, path, exact = 1e-9) {
 /** Of equally good postures, rounding decides which one the search in space holds next. After that the
  * cuts are others, and so is the bound that they prove: each is to be within the gap. */
 function sameSearch(found, wanted) {
-  for (const { best, lower_bound, options: { gap } } of [found, wanted])
-    if (best) expect(lower_bound <= best.effort * (1 + 1e-15) && best.effort - lower_bound <= gap * best.effort, 'a bound within the gap', lower_bound, best.effort);
+  for (const { best, lower_bound, options: { gap } } of [found, wanted]) {
+    const value = valueOf(best);
+    if (best) expect(lower_bound <= value * (1 + 1e-15) && value - lower_bound <= gap * value, 'a bound within the gap', lower_bound, value);
+  }
   const near = (a, b) => Math.abs(a - b) <= 1e-6 * Math.max(Math.abs(a), Math.abs(b), 1);
   const same = found.holds === wanted.holds && found.cuts.length === wanted.cuts.length &&
     found.cuts.every((cut, k) => (cut.y ?? cut.n).every((part, i) => near(part, (wanted.cuts[k].y ?? wanted.cuts[k].n)?.[i])));
   searches[same ? 'same' : 'other'].add(found);
   return same;
 }
+const valueOf = (hold) => (hold?.objective === 'grip' ? hold.grip : hold?.effort);
 const searches = { same: new Set(), other: new Set() };
 
 /** Equally good minima may come in any order. */
 const inOrder = (a, b) => {
-  const keys = ({ effort, up }) => [effort.toPrecision(6), ...up.map((part) => Math.round(1000 * part))].map(Number);
+  const keys = ({ up, ...hold }) => [valueOf(hold).toPrecision(6), ...up.map((part) => Math.round(1000 * part))].map(Number);
   return keys(a).map((key, k) => key - keys(b)[k]).find((difference) => difference) ?? 0;
 };
 
@@ -72,13 +82,17 @@ expect(names.length >= 3, 'no fixtures');
 for (const file of names) {
   const name = file.replace('.grasp.json', '');
   const grasp = read(file);
-  for (const command of ['check', 'hold', 'best', ...(grasp.dimension === 2 ? ['curve'] : [])]) {
-    const found = answer({ command, grasp });
-    compare(found, read(`${name}.${command}.json`), `${name}.${command}`);
+  const objectives = answer({ command: 'objectives', grasp });
+  expect(objectives.objective === (grasp.objective ?? 'grip') && objectives.grip_unit === 'N', `${name}: its objectives`);
+  const cases = ['hold', 'best', ...(grasp.dimension === 2 ? ['curve'] : [])].flatMap((command) => ['grip', 'effort'].map((objective) => [command, objective]));
+  for (const [command, objective] of [['check'], ...cases]) {
+    const found = answer({ command, grasp, ...(objective && { objective }) });
+    const what = [name, command, objective].filter(Boolean).join('.');
+    compare(found, read(`${what}.json`), what);
     // What it proves holds, as the program finds that shares nothing with the solver.
     writeFileSync(`${folder}/result.json`, JSON.stringify(found));
     const { status, stdout, stderr } = spawnSync(program, ['verify', `${examples}/${name}.yaml`, `${folder}/result.json`], { encoding: 'utf8' });
-    expect(status === 0, `${name}.${command} is refuted:`, stdout, stderr);
+    expect(status === 0, `${what} is refuted:`, stdout, stderr);
   }
 
   // The greatest weight is held, and a little more is not; so is the least friction.
@@ -102,23 +116,32 @@ for (const file of names) {
   }
   if (grasp.dimension === 2) continue;
 
-  // All around at once as one by one; no plane is above the effort anywhere, nor below the bound
+  // All around at once as one by one; no plane is above the value anywhere, nor below the bound
   // outside of what the best posture proves.
-  const best = answer({ command: 'best', grasp });
-  const ups = [...best.minima.map(({ up }) => up), [1, 0, 0], [0, -2, 1], [0.3, 0.4, -0.5]];
-  const { efforts } = answer({ command: 'efforts', grasp, ups });
-  ups.forEach((up, k) => {
-    const one = answer({ command: 'hold', grasp, up });
-    const found = one.scenario_efforts ? Math.max(...one.scenario_efforts.map((each) => each ?? Infinity)) : one.effort;
-    // Minima may lie on the border of what can be held, where rounding decides.
-    if (k >= best.minima.length || (one.holdable && efforts[k] !== null))
-      compare(efforts[k], one.holdable && found < Infinity ? found : null, `${name}.efforts[${k}]`);
-  });
-  const { planes } = answer({ command: 'planes', grasp, cuts: best.cuts });
-  const proofs = planes.filter((_, k) => 'y' in best.cuts[k]);
-  const at = (up) => Math.max(...proofs.map(({ a, b }) => (a[0] * up[0] + a[1] * up[1] + a[2] * up[2]) / Math.hypot(...up) - b));
-  ups.forEach((up, k) => expect(efforts[k] === null || at(up) <= efforts[k] * (1 + 1e-9), `${name}: a plane above the effort`, up));
-  if (best.best) expect(at(best.best.up) > 0.99 * best.best.effort, `${name}: the planes touch at the best`, at(best.best.up), best.best.effort);
+  for (const objective of ['grip', 'effort']) {
+    const best = answer({ command: 'best', grasp, objective });
+    const ups = [...best.minima.map(({ up }) => up), [1, 0, 0], [0, -2, 1], [0.3, 0.4, -0.5]];
+    const { values, objective: told } = answer({ command: 'values', grasp, objective, ups });
+    expect(told === objective, `${name}: values of ${objective}`);
+    ups.forEach((up, k) => {
+      const one = answer({ command: 'hold', grasp, objective, up });
+      const found = one.scenario_efforts ? Math.max(...one.scenario_efforts.map((each) => each ?? Infinity)) : valueOf(one);
+      // Minima may lie on the border of what can be held, where rounding decides.
+      if (k >= best.minima.length || (one.holdable && values[k] !== null))
+        compare(values[k], one.holdable && found < Infinity ? found : null, `${name}.values[${k}]`);
+    });
+    const { planes } = answer({ command: 'planes', grasp, objective, cuts: best.cuts });
+    const proofs = planes.filter(({ rate }) => rate > 0);
+    const beyond = ({ a, b }, up) => (a[0] * up[0] + a[1] * up[1] + a[2] * up[2]) / Math.hypot(...up) - b;
+    const at = (up) => Math.max(...proofs.map((plane) => beyond(plane, up) / plane.rate));
+    ups.forEach((up, k) => {
+      expect(values[k] === null || at(up) <= values[k] * (1 + 1e-9), `${name}: a plane above the ${objective}`, up);
+      // What no grip holds is behind a plane without a rate.
+      planes.forEach((plane, i) => plane.rate > 0 || 'n' in best.cuts[i] || values[k] === null ||
+        expect(beyond(plane, up) < 1e-9, `${name}: a wall before what is held`, up));
+    });
+    if (best.best) expect(at(best.best.up) > 0.99 * valueOf(best.best), `${name}: the planes touch at the best`, at(best.best.up), valueOf(best.best));
+  }
 }
 
 const planar = names.find((file) => read(file).dimension === 2);
@@ -128,6 +151,7 @@ const error = (request) => answer(request).error ?? {};
 expect(error({ command: 'hold' }).path === 'grasp', 'a request without a grasp');
 expect(error({ command: 'turn', grasp }).path === 'command', 'an unknown command');
 expect(error({ command: 'hold', grasp, angel_deg: 3 }).path === 'angel_deg', 'an unknown key');
+expect(error({ command: 'hold', grasp, objective: 'force' }).path === 'objective', 'an unknown objective');
 expect(error({ command: 'hold', grasp, force_cap: -1 }).path === 'force_cap', 'a bad force cap');
 const broken = structuredClone(grasp);
 broken.contacts[1].friction = -1;
@@ -138,6 +162,20 @@ expect(error({ command: 'curve', grasp: read(spatial) }).path === 'command', 'a 
 expect(error({ command: 'hold', grasp: read(spatial), angle_deg: 3 }).problem.startsWith('is for the plane'), 'an angle in space');
 expect(error({ command: 'hold', grasp: read(spatial), up: [0, 0, 0] }).path === 'up', 'no direction');
 expect(error({ command: 'planes', grasp: read(spatial), cuts: [{ y: [1, 2, 3, 4, 5, 6], scenario: 7 }] }).path === 'cuts[0]', 'no such scenario');
+
+// Two fingers that face each other: upright each presses with W/(2 mu). In another file, the effort.
+const facing = {
+  poise: 1, dimension: 2, object: { weight: 10, com: [0, 0] },
+  contacts: [{ position: [-0.04, 0], normal: [1, 0], friction: 0.4, finger: 'left' }, { position: [0.04, 0], normal: [-1, 0], friction: 0.4, finger: 'right' }],
+};
+compare(answer({ command: 'hold', grasp: facing, angle_deg: 0 }).grip, 10 / (2 * 0.4), 'two fingers');
+expect(answer({ command: 'hold', grasp: { ...facing, objective: 'effort' }, angle_deg: 0 }).objective === 'effort', 'the objective of the file');
+
+// Of a finger that closes to nowhere no grip is known: the effort, and the answer says so.
+const around = structuredClone(facing);
+for (const contact of around.contacts) contact.finger = 'ring';
+expect(answer({ command: 'objectives', grasp: around }).grip_unit === null, 'no grip');
+expect(answer({ command: 'best', grasp: around, objective: 'grip' }).options.objective === 'effort', 'the effort instead');
 
 // Files, with the words of the command line.
 const digits = (text) => Buffer.from(text).toString('hex');

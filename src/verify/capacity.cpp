@@ -100,7 +100,7 @@ void check_deciding(Verdict& verdict, const Path& place, const Case& given,
     const bool presses = std::isfinite(contacts[i].most) && most > least;
     const Real off = claim.contacts[i].per_newton - (presses ? most / gain : 0);
     verdict.check(here / "per_newton", "per_newton is what the contact can do, by the dual",
-                  std::abs(off), 1e-6L * (1 + std::abs(claim.contacts[i].per_newton)));
+                  std::abs(off), 1e-9L + 1e-6L * std::abs(claim.contacts[i].per_newton));
     const bool slips = contacts[i].friction > 0 && beside > least && most > -least;
     const bool clear = !is_beside(beside, least, gain) && !is_beside(most, -least, gain);
     verdict.check(here / "slipping", "slipping follows from the dual",
@@ -143,7 +143,7 @@ void check_deciding_drives(Verdict& verdict, const Path& place, const Case& give
     const Real rate = rates->empty() ? 0 : (*rates)[a];
     verdict.check(place[a] / "per_newton", "per_newton is the rate of the drive, by the dual",
                   std::abs(claim.drives[a].per_newton - rate / gain),
-                  1e-6L * (1 + std::abs(claim.drives[a].per_newton)));
+                  1e-9L + 1e-6L * std::abs(claim.drives[a].per_newton));
   }
 }
 

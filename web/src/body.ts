@@ -1,5 +1,5 @@
 // The object in space as it hangs: gravity points down on the screen.
-import type { NotHeld } from './core';
+import { proofOf, type NotHeld } from './core';
 import type { Picture } from './files';
 import { Canvas, colour, seen, type Eye, type Loaded, type Pose } from './gl';
 import type { Point, Vec } from './grasp';
@@ -133,7 +133,8 @@ export class BodyView {
   }
 
   /** The object a little further on the motion that gravity drives and no contact opposes. */
-  private drawFall({ dual }: NotHeld<Vec>): void {
+  private drawFall(hold: NotHeld<Vec>): void {
+    const dual = proofOf(hold);
     const { body, frame: ball } = this.model;
     const v = times(-1, dual.slice(0, 3) as unknown as Vec);
     const w = times(-1, dual.slice(3) as unknown as Vec);

@@ -1,12 +1,15 @@
 // The solver: the C++ core as WebAssembly. Its documents are those of docs/command-line.md.
 import { load } from '@core';
-import type { Domain, Grasp, PlanarGrasp, PlanarShape, Point, SpatialGrasp, SpatialShape, Vec } from './grasp';
+import type { Domain, Grasp, Objective, PlanarGrasp, PlanarShape, Point, SpatialGrasp, SpatialShape, Vec } from './grasp';
 
+export type { Objective };
 export type Limit = 'none' | 'min' | 'max';
 export type State = 'unloaded' | 'sticking' | 'slipping';
 export type Kind = 'boundary' | 'kink' | 'smooth';
 export type Manner = 'resting' | 'cradled' | 'pinched';
 export type Range = [number, number];
+/** In what the grip is told. */
+export type GripUnit = 'N' | 'N m' | 'of max';
 
 export interface ContactForce<P> {
   finger: string;
@@ -21,7 +24,10 @@ export interface ContactForce<P> {
 
 interface Posture<P> {
   up: P;
-  dual: number[];
+  objective: Objective;
+  /** The proof: of the effort, of the grip. */
+  dual?: number[];
+  y?: number[];
   lower_bound: number;
   scenario?: number;
   scenario_efforts?: (number | null)[];
@@ -34,6 +40,7 @@ export interface Held<P> extends Posture<P> {
   manner: Manner;
   /** Null where a finger has no closing direction. */
   grip: number | null;
+  drives: { max: number | null }[];
   fingers: { finger: string; normal_force: number; force: P }[];
   contacts: ContactForce<P>[];
 }
@@ -46,6 +53,9 @@ export interface NotHeld<P> extends Posture<P> {
 export type Hold<P> = Held<P> | NotHeld<P>;
 export type AnyHold = Hold<Point> | Hold<Vec>;
 
+/** The twist that proves what a hold is. */
+export const proofOf = ({ y, dual }: { y?: number[]; dual?: number[] }): number[] => y ?? dual!;
+
 export type Optimum = Held<Point> & {
   angle_deg: number;
   kind: Kind;
@@ -55,10 +65,12 @@ export type Optimum = Held<Point> & {
   edges_meet?: Point | null;
 };
 
+/** One of V and F. */
 export interface Arc {
   from_deg: number;
   to_deg: number;
-  V: { c0: number; cos1: number; sin1: number; cos2: number; sin2: number };
+  V?: { c0: number; cos1: number; sin1: number; cos2: number; sin2: number };
+  F?: { c0: number; cos1: number; sin1: number };
 }
 
 export interface Best {
@@ -75,7 +87,7 @@ export interface Curve {
   holdable_arcs_deg: Range[];
 }
 
-export type Cut = { y: number[]; scenario: number } | { n: Vec };
+export type Cut = { y: number[]; scenario: number; rates?: number[] } | { n: Vec };
 
 export interface SpatialBest {
   status: 'optimal' | 'gap' | 'unholdable';
@@ -88,10 +100,11 @@ export interface SpatialBest {
   cuts: Cut[];
 }
 
-/** What a cut says of any load x, 1 being the weight: its effort is at least a . x - b [N^2]. */
+/** What a cut says of any load x, 1 being the weight: F or V, times the rate, is at least a . x - b. */
 export interface Plane {
   a: Vec;
   b: number;
+  rate: number;
 }
 
 interface AnyCheck<P, Shape> {
@@ -128,10 +141,19 @@ export interface Margins {
   greatest_weight: number | null;
   /** On all frictions together; null: none is enough. */
   friction_factor: number | null;
+  /** Of the grip in space, which may have a kink there: its changes per degree, to all sides. */
+  slopes?: number[];
+}
+
+/** What is least if nothing is asked for; without a unit there is no grip. */
+export interface Objectives {
+  objective: Objective;
+  grip_unit: GripUnit | null;
 }
 
 interface PlanarAnswers {
   margins: Margins;
+  objectives: Objectives;
   check: Check;
   hold: Hold<Point>;
   best: Best;
@@ -140,10 +162,11 @@ interface PlanarAnswers {
 
 interface SpatialAnswers {
   margins: Margins;
+  objectives: Objectives;
   check: SpatialCheck;
   hold: Hold<Vec>;
   best: SpatialBest;
-  efforts: { efforts: (number | null)[] };
+  values: { values: (number | null)[] };
   planes: { planes: Plane[] };
 }
 
@@ -169,13 +192,13 @@ const onField = ({ path, problem }: { path: string; problem: string }) => (path 
 export const ask = <Command extends keyof PlanarAnswers>(
   command: Command,
   grasp: PlanarGrasp,
-  options: { angle_deg?: number; domain?: Domain } = {},
+  options: { angle_deg?: number; domain?: Domain; objective?: Objective } = {},
 ): PlanarAnswers[Command] => answer({ command, grasp, ...options }, onField);
 
 export const askSpatial = <Command extends keyof SpatialAnswers>(
   command: Command,
   grasp: SpatialGrasp,
-  options: { up?: Vec; ups?: readonly Vec[]; cuts?: Cut[] } = {},
+  options: { up?: Vec; ups?: readonly Vec[]; cuts?: Cut[]; objective?: Objective } = {},
 ): SpatialAnswers[Command] => answer({ command, grasp, ...options }, onField);
 
 /** The grasp that a file spells, in YAML or JSON. */

@@ -29,6 +29,7 @@ interface AnyGrasp<P> {
   poise: number;
   name?: string;
   safety?: number;
+  objective?: Objective;
   contacts: Contact<P>[];
 }
 
@@ -54,6 +55,7 @@ export interface SpatialGrasp extends AnyGrasp<Vec> {
 export type Grasp = PlanarGrasp | SpatialGrasp;
 
 export type Domain = 'all' | 'pinching-up';
+export type Objective = 'grip' | 'effort';
 
 /** What the object may be: parts of the grasp, to be changed there. */
 export const scenariosOf = ({ object }: SpatialGrasp): Scenario[] =>

@@ -1,10 +1,11 @@
 import './style.css';
 import { size, text as packed } from 'virtual:core';
 import { BodyView } from './body';
-import { BadGrasp, read, start, type AnyHold, type Margins } from './core';
+import { BadGrasp, read, start, type AnyHold, type GripUnit, type Margins, type Objective } from './core';
 import { asPng, asSvg, fileName, fromLink, keep, toLink, yaml, type Picture } from './files';
 import type { Grasp, PlanarGrasp, SpatialGrasp, Vec } from './grasp';
 import { unpacked } from './lzma';
+import { gripText, type Measure } from './measure';
 import type { Triangles } from './mesh';
 import { drawMinima, drawSpatialMinima, html, PlanarControls, SpatialControls } from './panel';
 import { asPaper } from './paper';
@@ -44,8 +45,30 @@ interface Sheet<Kind extends Grasp> {
   current(): Kind;
   pictures(): Picture[];
   turnTo(posture: Told): void;
-  /** What a posture needs, if it can be held. */
-  effortAt(posture: Told): number | undefined;
+  gripUnit(): GripUnit | null;
+  minimise(objective: Objective): void;
+  holdAt(posture: Told, objective: Objective): AnyHold;
+}
+
+const objectives = [...document.querySelectorAll<HTMLInputElement>('[name=objective]')];
+for (const each of objectives)
+  each.addEventListener('change', () => {
+    try {
+      sheet?.minimise(each.value as Objective);
+    } catch (error) {
+      if (!(error instanceof BadGrasp)) throw error;
+      say(error.message, true);
+    }
+  });
+
+/** What is least, wherever it is said. */
+function drawObjective({ objective }: Measure, unit: GripUnit | null): void {
+  for (const each of objectives) {
+    each.checked = each.value === objective;
+    each.disabled = each.value === 'grip' && unit === null;
+  }
+  find('no-grip').hidden = unit !== null;
+  find('least').textContent = objective === 'grip' ? 'Least grip' : 'Least force norm';
 }
 
 /** What is said of a file or a link, until something else is done. */
@@ -58,10 +81,15 @@ function tell(element: HTMLElement, words: string[], kind: 'p' | 'span'): void {
     element.replaceChildren(...words.flatMap((each, k) => [k ? between : '', html(kind, {}, each)]));
 }
 
-function drawWords(at: string, hold: AnyHold, reasons: string[], problem: string, warnings: string[]): void {
+function drawWords(at: string, hold: AnyHold, { objective }: Measure, unit: GripUnit | null, reasons: string[], problem: string, warnings: string[]): void {
   // No line ends between a number and its unit.
+  const needs = (held: Extract<AnyHold, { holdable: true }>) => {
+    const grip = `grip ${gripText(held.grip, unit)}`;
+    const effort = [`force norm √V ${newtons(held.force_norm)}`, `effort V ${plain(held.effort)} N²`];
+    return objective === 'grip' ? [grip, ...effort] : [...effort, grip];
+  };
   tell(find('verdict'), hold.holdable
-    ? [`At ${at} ${hold.manner}:`, `force norm √V ${newtons(hold.force_norm)},`, `effort V ${plain(hold.effort)} N²,`, `grip ${hold.grip === null ? '–' : newtons(hold.grip)}`]
+    ? [`At ${at} ${hold.manner}:`, ...needs(hold).map((each, k) => (k < 2 ? `${each},` : each))]
     : [`At ${at} it cannot be held`], 'span');
   find('verdict').classList.toggle('not-held', !hold.holdable);
   tell(find('why'), reasons.map((each) => each.replace(/(\d) (?=N|%)/g, '$1\u00a0')), 'p');
@@ -133,7 +161,7 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
 
   current(): PlanarGrasp {
     const { grasp, angle, domain } = this.model;
-    return { ...structuredClone(grasp), angle_deg: angle, ...(domain === 'pinching-up' && { domain }) };
+    return { ...structuredClone(grasp), objective: this.model.answers.measure.objective, angle_deg: angle, ...(domain === 'pinching-up' && { domain }) };
   }
 
   pictures(): Picture[] {
@@ -144,21 +172,34 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
     this.model.turnTo(angle_deg!);
   }
 
-  effortAt({ angle_deg }: Told): number | undefined {
-    return this.model.effortAt(angle_deg!);
+  gripUnit(): GripUnit | null {
+    return this.model.answers.gripUnit;
+  }
+
+  minimise(objective: Objective): void {
+    if (objective !== this.model.answers.measure.objective) this.model.minimise(objective);
+  }
+
+  holdAt({ angle_deg }: Told, objective: Objective): AnyHold {
+    return this.model.holdAt(angle_deg!, objective);
   }
 
   draw(): void {
     const { answers, angle, problem } = this.model;
     this.scene.draw();
-    this.boxes.bounds.disabled = !asPaper(answers.grasp) || this.plot.view.squared;
-    this.boxes.bounds.parentElement!.hidden = !asPaper(answers.grasp);
+    const { objective } = answers.measure;
+    drawObjective(answers.measure, answers.gripUnit);
+    this.boxes.squared.parentElement!.hidden = objective === 'grip';
+    this.boxes.bounds.disabled = !this.plot.mayShowBounds();
+    this.boxes.bounds.parentElement!.hidden = objective === 'grip' || !asPaper(answers.grasp);
+    find('key-other').hidden = !this.plot.other();
+    find('other').textContent = objective === 'grip' ? 'least force norm √V' : 'least grip F';
     find('key-cradled').hidden = !answers.check.fork_deg;
     find('key-unholdable').hidden = !answers.best.unholdable_arcs.length;
     this.plot.draw();
     this.controls.draw();
     drawMinima(find('minima'), this.model);
-    drawWords(degrees(angle), answers.hold, why(answers, this.rest.at(answers.hold), angle, this.model.optimum()), problem, answers.check.warnings);
+    drawWords(degrees(angle), answers.hold, answers.measure, answers.gripUnit, why(answers, this.rest.at(answers.hold), angle, this.model.optimum()), problem, answers.check.warnings);
   }
 }
 
@@ -189,7 +230,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
   }
 
   current(): SpatialGrasp {
-    return { ...structuredClone(this.model.grasp), up: this.model.up };
+    return { ...structuredClone(this.model.grasp), objective: this.model.answers.measure.objective, up: this.model.up };
   }
 
   pictures(): Picture[] {
@@ -200,8 +241,16 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
     this.model.turnTo(up as unknown as Vec);
   }
 
-  effortAt({ up }: Told): number | undefined {
-    return this.model.effortAt(up as unknown as Vec);
+  gripUnit(): GripUnit | null {
+    return this.model.answers.gripUnit;
+  }
+
+  minimise(objective: Objective): void {
+    if (objective !== this.model.answers.measure.objective) this.model.minimise(objective);
+  }
+
+  holdAt({ up }: Told, objective: Objective): AnyHold {
+    return this.model.holdAt(up as unknown as Vec, objective);
   }
 
   draw(): void {
@@ -209,12 +258,13 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
     this.scene.draw();
     this.sphere.draw();
     this.controls.draw();
-    find('key-outside').hidden = !found.sphere?.efforts.includes(null);
+    drawObjective(answers.measure, answers.gripUnit);
+    find('key-outside').hidden = !found.sphere?.values.includes(null);
     find('proof').hidden = !this.sphere.certificate;
     find('proof').textContent = this.sphere.said();
     drawSpatialMinima(find('minima'), this.model);
     const at = `up (${up.map((part) => fixed(part, 3)).join(', ')})`;
-    drawWords(at, answers.hold, whyInSpace(this.model, this.rest.at(answers.hold)), problem, this.model.warnings);
+    drawWords(at, answers.hold, answers.measure, answers.gripUnit, whyInSpace(this.model, this.rest.at(answers.hold)), problem, this.model.warnings);
     document.body.dataset.settled = outdated || this.model.turning ? '' : '1';
   }
 }
@@ -284,8 +334,10 @@ function open(bytes: Uint8Array, name: string): void {
 
 interface Result extends Partial<Told> {
   poise_result: number;
+  options?: { objective?: Objective };
   effort?: number;
-  best?: (Told & { effort: number }) | null;
+  grip?: number | null;
+  best?: (Told & { effort: number; grip: number | null }) | null;
 }
 
 function resultIn(bytes: Uint8Array): Result | undefined {
@@ -297,19 +349,27 @@ function resultIn(bytes: Uint8Array): Result | undefined {
   }
 }
 
-/** Turns the object as a result says; one that does not fit what is shown changes nothing, and words
- * say so. */
+/** Turns the object as a result says, and asks for what that asked for; one that does not fit what is
+ * shown changes nothing, and words say so. */
 function follow(result: Result, name: string): string {
-  const { up, angle_deg, effort } = result.best ?? result;
+  const told = result.best ?? result;
+  const { up, angle_deg } = told;
   const planar = up?.length === 2 && typeof angle_deg === 'number';
   if (!sheet || !up || !(planar || up.length === 3)) return `${name}: is a result without a posture to show`;
   if (planar !== (sheet === plane)) return `${name}: is of a grasp in ${planar ? 'the plane' : 'space'}, not of the one that is shown`;
   const posture = { up, ...(planar && { angle_deg }) };
-  const here = sheet.effortAt(posture);
-  const fits = here === effort || (here !== undefined && effort !== undefined && Math.abs(here - effort) < 1e-6 * effort);
-  if (fits) sheet.turnTo(posture);
-  const needs = (value: number | undefined) => (value === undefined ? 'cannot be held' : `needs ${plain(value)} N²`);
-  return fits ? '' : `${name}: is of another grasp than the one that is shown: there its posture ${needs(effort)}, here it ${needs(here)}`;
+  const objective = result.options?.objective ?? 'effort';
+  const hold = sheet.holdAt(posture, objective);
+  const value = (of: { effort?: number; grip?: number | null }) => (objective === 'grip' ? of.grip : of.effort) ?? undefined;
+  const [here, there] = [hold.holdable ? value(hold) : undefined, value(told)];
+  const fits = here === there || (here !== undefined && there !== undefined && Math.abs(here - there) < 1e-6 * there);
+  if (fits) {
+    if (sheet.gripUnit() !== null) sheet.minimise(objective);
+    sheet.turnTo(posture);
+  }
+  const needs = (each: number | undefined) =>
+    each === undefined ? 'cannot be held' : `needs ${objective === 'grip' ? `a grip of ${gripText(each, sheet!.gripUnit())}` : `${plain(each)} N²`}`;
+  return fits ? '' : `${name}: is of another grasp than the one that is shown: there its posture ${needs(there)}, here it ${needs(here)}`;
 }
 
 /** More than is ever read is not needed to refuse it. */

@@ -1,12 +1,13 @@
 // Numbers to type and to slide, and tables of what they lead to.
-import type { AnyHold, Kind } from './core';
+import type { AnyHold, GripUnit, Kind } from './core';
 import { scenariosOf, type Contact, type Vec } from './grasp';
 import { symbol } from './plot';
 import type { SpatialModel } from './space';
 import type { PlanarModel } from './state';
 import { node } from './svg';
 import { length, unit } from './turn';
-import { degrees, fixed, newtons, percent, plain } from './words';
+import { gripText, type Measure } from './measure';
+import { degrees, fixed, newtons, percent } from './words';
 
 type AnyHeld = Extract<AnyHold, { holdable: true }>;
 type Attributes = Record<string, string>;
@@ -221,16 +222,16 @@ export class SpatialControls extends Controls<SpatialModel> {
 }
 
 /** The minima, each to be gone to: most important first. */
-function buttons(parent: HTMLElement, rows: { kind: Kind; first: string; hold: AnyHeld; what: string; role: string; here: boolean; go: () => void; data: Attributes }[]): void {
+function buttons(parent: HTMLElement, measure: Measure, unit: GripUnit | null, rows: { kind: Kind; first: string; hold: AnyHeld; what: string; role: string; here: boolean; go: () => void; data: Attributes }[]): void {
   const focused = [...parent.querySelectorAll('button')].indexOf(document.activeElement as HTMLButtonElement);
   parent.replaceChildren(
     ...rows.slice(0, 8).map(({ kind, first, hold, what, role, here, go, data }) => {
       const mark = node('svg', { viewBox: '-8 -8 16 16', class: 'mark', 'aria-hidden': 'true' }, node('path', { d: symbol(kind, [0, 0]) }));
-      const button = html('button', { type: 'button', ...data, 'data-effort': String(hold.effort) },
+      const button = html('button', { type: 'button', ...data, 'data-value': String(measure.objective === 'grip' ? hold.grip : hold.effort) },
         mark,
         html('span', { class: 'angle' }, first),
-        html('span', { class: 'force' }, `${plain(hold.force_norm)} N`),
-        html('span', { class: 'grip' }, `grip ${hold.grip === null ? '–' : newtons(hold.grip)}`),
+        html('span', { class: 'force' }, measure.text(measure.of(hold))),
+        html('span', { class: 'also' }, measure.objective === 'grip' ? `√V ${newtons(hold.force_norm)}` : `grip ${gripText(hold.grip, unit)}`),
         html('span', { class: 'what' }, what),
         html('strong', {}, role));
       if (here) button.setAttribute('aria-current', 'true');
@@ -242,11 +243,11 @@ function buttons(parent: HTMLElement, rows: { kind: Kind; first: string; hold: A
 }
 
 export function drawMinima(parent: HTMLElement, model: PlanarModel): void {
-  const { curve, best } = model.answers;
+  const { curve, best, measure, gripUnit } = model.answers;
   const here = model.optimum();
   parent.classList.remove('late', 'space');
   parent.removeAttribute('aria-busy');
-  buttons(parent, curve.optima.filter((each) => each.type === 'min').map((each) => ({
+  buttons(parent, measure, gripUnit, curve.optima.filter((each) => each.type === 'min').map((each) => ({
     kind: each.kind,
     first: degrees(each.angle_deg),
     hold: each,
@@ -263,7 +264,7 @@ export function drawSpatialMinima(parent: HTMLElement, model: SpatialModel): voi
   parent.classList.toggle('late', model.outdated);
   parent.setAttribute('aria-busy', String(model.outdated));
   parent.classList.add('space');
-  buttons(parent, (best?.minima ?? []).map((each, k) => ({
+  buttons(parent, model.answers.measure, model.answers.gripUnit, (best?.minima ?? []).map((each, k) => ({
     kind: 'smooth' as const,
     first: `(${each.up.map((part) => fixed(part, 3)).join(', ')})`,
     hold: each,

@@ -10,6 +10,7 @@ export function paperDisk(name: string, phi: number, mu1: number, mu2: number): 
     poise: 1,
     dimension: 2,
     name,
+    objective: 'effort',
     object: { weight: 10, com: [0, 0], shape: { disk: { radius: 1 } } },
     contacts: [
       { position: [s, c], normal: [-s, -c], friction: mu1, finger: 'right' },

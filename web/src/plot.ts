@@ -1,7 +1,8 @@
 // The posture curve: drawn from its arcs, with the present posture as a handle.
-import type { Kind, Optimum, Range } from './core';
-import { contains, effortOn, onAxis, samples } from './curve';
+import type { Curve, Kind, Optimum, Range } from './core';
+import { contains, heightOn, onAxis, samples } from './curve';
 import type { Point } from './grasp';
+import type { Measure } from './measure';
 import { alphas, asPaper } from './paper';
 import type { PlanarModel } from './state';
 import { draggable, keySteps, line, node, path, place, set, text } from './svg';
@@ -24,7 +25,7 @@ const margin = { left: 58, right: 16, top: 14, bottom: 38 };
 
 export class Plot {
   readonly view: View = { squared: false, logarithmic: false, bounds: false };
-  readonly picture = node('svg', { role: 'group', 'aria-label': 'The least effort over all postures' });
+  readonly picture = node('svg', { role: 'group', 'aria-label': 'What the fingers need, over all postures' });
   private readonly layers = node('g', { class: 'passive' });
   private readonly area = node('rect', { class: 'area' });
   private readonly marks = node('g');
@@ -66,30 +67,41 @@ export class Plot {
     keySteps(this.handle, (dx, dy) => this.model.turnTo(this.model.angle + dx + dy));
   }
 
-  /** By factors of ten where the curve climbs far above its lowest point. */
+  /** By factors of ten where the curve climbs far above its lowest point, unless that is nothing. */
   suitScale(): void {
     const { low, high } = this.range();
-    this.view.logarithmic = high > 20 * low;
+    this.view.logarithmic = high > 20 * low && low > 1e-6 * high;
   }
 
-  private showsBounds = () =>
-    this.view.bounds && !this.view.squared && asPaper(this.model.answers.grasp) !== undefined;
+  private squared = () => this.view.squared && this.model.answers.measure.objective === 'effort';
+  showsBounds = () => this.view.bounds && this.mayShowBounds();
+  /** They are newtons of force norm. */
+  mayShowBounds = () =>
+    !this.squared() && this.model.answers.measure.objective === 'effort' && asPaper(this.model.answers.grasp) !== undefined;
+  /** The curve of the other objective, where it has the same unit. */
+  other = () => (this.squared() ? undefined : this.model.answers.other);
   private width = () => this.size[0] - margin.left - margin.right;
   private height = () => this.size[1] - margin.top - margin.bottom;
   private x = (angle: number) => margin.left + ((angle + 180) / 360) * this.width();
   private angleAt = (x: number) =>
     Math.min(180, Math.max(-180, ((x - margin.left) / this.width()) * 360 - 180));
-  private value = (effort: number) => (this.view.squared ? effort : Math.sqrt(effort));
+  private scaled = (height: number) => (this.squared() ? height ** 2 : height);
+  private of = (hold: Parameters<Measure['of']>[0]) => this.scaled(this.model.answers.measure.of(hold));
 
-  /** Force norms worth seeing: up to a thousand times the lowest, or to the last minimum. */
+  /** Heights worth seeing: up to a thousand times the lowest, or to the last minimum. */
   private range(): { low: number; high: number } {
-    const { curve, best } = this.model.answers;
-    if (!best.best) return { low: 1, high: 10 };
-    const low = best.best.force_norm;
-    const minima = curve.optima.filter((each) => each.type === 'min').map((each) => each.force_norm);
-    const efforts = samples(curve, 1).flat().map(([, effort]) => effort);
-    const highest = Math.max(low, Math.sqrt(Math.max(0, ...efforts)));
-    return { low, high: Math.min(highest, Math.max(1000 * low, 3 * Math.max(...minima))) };
+    const { answers } = this.model;
+    if (!answers.best.best) return { low: 1, high: 10 };
+    const ranges = [answers.curve, this.other()].flatMap((curve) => {
+      const heights = curve ? samples(curve, 1).flat().map(([, height]) => height) : [];
+      if (!heights.length) return [];
+      const minima = curve!.optima.filter((each) => each.type === 'min').map(heightOf);
+      const low = Math.min(...heights, ...minima);
+      const highest = Math.max(...heights);
+      return [{ low, high: Math.min(highest, Math.max(1000 * low, 3 * Math.max(...minima))) }];
+    });
+    const [low, high] = [Math.min(...ranges.map((each) => each.low)), Math.max(...ranges.map((each) => each.high))];
+    return high > 5e-10 ? { low, high } : { low: 0, high: 1 };
   }
 
   draw(): void {
@@ -106,14 +118,14 @@ export class Plot {
     inside.append(...this.shades(), ...this.grid(y.ticks, y.at));
     const bounds = this.showsBounds() ? this.bounds(y.at) : { lines: [], names: [] };
     inside.append(...bounds.lines);
-    const { curve } = this.model.answers;
-    for (const points of samples(curve, 180 / this.width()))
-      inside.append(
+    const drawn = (curve: Curve | undefined, kind: string) =>
+      (curve ? samples(curve, 180 / this.width()) : []).map((points) =>
         node('path', {
-          d: path(points.map(([angle, effort]): Point => [this.x(angle), y.at(this.value(effort))])),
-          class: 'curve',
+          d: path(points.map(([angle, height]): Point => [this.x(angle), y.at(this.scaled(height))])),
+          class: kind,
         }),
       );
+    inside.append(...drawn(this.other(), 'other'), ...drawn(this.model.answers.curve, 'curve'));
     inside.append(...bounds.names, this.now(this.drawOptima(y.at)));
     this.layers.replaceChildren(inside, ...this.axes(y.ticks, y.at));
     this.drawHandle(y.at);
@@ -129,9 +141,9 @@ export class Plot {
 
   private vertical(): { at: (value: number) => number; ticks: number[] } {
     const { low, high } = this.range();
-    const [least, most] = [this.value(low * low), this.value(high * high)];
+    const [least, most] = [this.scaled(low), this.scaled(high)];
     const { logarithmic } = this.view;
-    const [bottom, top] = logarithmic ? [0.45 * least, 1.7 * most] : [0, 1.12 * most];
+    const [bottom, top] = logarithmic ? [0.45 * Math.max(least, most / 1e4), 1.7 * most] : [0, 1.12 * most];
     const part = (value: number) =>
       logarithmic
         ? Math.log(Math.max(value, 1e-300) / bottom) / Math.log(top / bottom)
@@ -178,7 +190,7 @@ export class Plot {
 
   private axes(ticks: number[], at: (value: number) => number): Node[] {
     const floor = margin.top + this.height();
-    const title = this.view.squared ? 'effort V [N²]' : 'force norm √V [N]';
+    const title = this.squared() ? 'effort V [N²]' : this.model.answers.measure.title;
     const vertical = text(title, [0, 0], 'title');
     set(vertical, { transform: `translate(13 ${margin.top + this.height() / 2}) rotate(-90)` });
     const exists = this.model.answers.best.best;
@@ -230,12 +242,12 @@ export class Plot {
     const floor = margin.top + this.height();
     // Where there is no room for all words, those of the best are there.
     const marks = [...this.model.answers.curve.optima].sort((a, b) => Number(!named(a)) - Number(!named(b))).map((optimum) => {
-      const centre: Point = [this.x(optimum.angle_deg), at(this.value(optimum.effort))];
+      const centre: Point = [this.x(optimum.angle_deg), at(this.of(optimum))];
       const mark = node('g', { class: `optimum ${optimum.type}` });
       if (centre[1] < margin.top - 1) return mark;
       mark.append(
         node('path', { d: symbol(optimum.kind, centre), class: 'symbol' }),
-        node('title', {}, sentence(optimum)),
+        node('title', {}, sentence(optimum, this.model.answers.measure)),
       );
       mark.addEventListener('click', () => this.model.turnTo(optimum.angle_deg));
       if (optimum.type === 'max' || this.showsBounds()) return mark;
@@ -261,31 +273,33 @@ export class Plot {
 
   private drawHandle(at: (value: number) => number): void {
     const { angle } = this.model;
-    const { hold, curve } = this.model.answers;
+    const { hold, curve, measure } = this.model.answers;
     const x = this.x(angle);
     const floor = margin.top + this.height();
     const arc = curve.arcs.find((each) => contains([each.from_deg, each.to_deg], angle));
-    const effort = hold.holdable ? hold.effort : arc ? effortOn(arc, angle) : undefined;
-    const y = effort === undefined ? floor : Math.max(at(this.value(effort)), margin.top);
+    const height = hold.holdable ? measure.of(hold) : arc ? heightOn(arc, angle) : undefined;
+    const y = height === undefined ? floor : Math.max(at(this.scaled(height)), margin.top);
     this.handle.replaceChildren(
       node('rect', { x: x - 12, y: margin.top, width: 24, height: this.height(), class: 'grab' }),
-      effort === undefined
+      height === undefined
         ? node('path', { d: `M${x - 6} ${y - 12}l12 -12m0 12l-12 -12`, class: 'cross' })
         : node('circle', { cx: x, cy: y, r: 7, class: 'knob' }),
     );
     set(this.handle, {
       'aria-valuenow': angle.toFixed(2),
       'aria-valuetext':
-        effort === undefined
+        height === undefined
           ? `${degrees(angle)}, cannot be held`
-          : `${degrees(angle)}, force norm ${plain(Math.sqrt(effort))} N`,
+          : `${degrees(angle)}, ${measure.name} ${measure.text(height)}`,
     });
   }
 }
 
-const sentence = (each: Optimum) =>
+const heightOf = (each: Optimum) => (each.objective === 'grip' ? each.grip! : each.force_norm);
+
+const sentence = (each: Optimum, measure: Measure) =>
   `${each.type === 'min' ? 'minimum' : 'maximum'} at ${degrees(each.angle_deg)}, ${each.kind}, ${each.manner}: ` +
-  `√V = ${plain(each.force_norm)} N, V = ${plain(each.effort)} N²`;
+  `${measure.name} ${measure.text(measure.of(each))}${measure.objective === 'effort' ? `, effort V ${plain(each.effort)} N²` : ''}`;
 
 export function symbol(kind: Kind, [x, y]: Point): string {
   if (kind === 'kink') return `M${x} ${y - 6.5}l6.5 6.5l-6.5 6.5l-6.5 -6.5Z`;

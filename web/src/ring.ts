@@ -5,16 +5,16 @@ import type { Vec } from './grasp';
 import { add, dot, frame, length, times, unit } from './turn';
 import { radians } from './vector';
 
-/** The efforts all around in that plane. */
+/** F or V all around in that plane. */
 export interface Ring {
   normal: Vec;
   ups: Vec[];
-  efforts: (number | null)[];
+  values: (number | null)[];
 }
 
-/** The normal of the plane in which all loads lie that an effort holds, if two planes leave but that. */
-export function flat(planes: Plane[], effort: number): Vec | undefined {
-  const walls = planes.map(({ a, b }) => ({ n: unit(a), reach: (effort + b) / length(a) })).filter(({ reach }) => reach < 1e-6);
+/** The normal of the plane in which all loads lie of at most a value, if two planes leave but that. */
+export function flat(planes: Plane[], value: number): Vec | undefined {
+  const walls = planes.map(({ a, b, rate }) => ({ n: unit(a), reach: (rate * value + b) / length(a) })).filter(({ reach }) => reach < 1e-6);
   return walls.find(({ n }) => walls.some((other) => dot(n, other.n) < 1e-9 - 1))?.n;
 }
 

@@ -1,5 +1,5 @@
 // The object as it hangs: gravity points down on the screen.
-import type { NotHeld, Optimum } from './core';
+import { proofOf, type NotHeld, type Optimum } from './core';
 import type { Point } from './grasp';
 import { labels, type Arrow, type Finger } from './label';
 import { along, nearest, outline } from './shape';
@@ -113,9 +113,9 @@ export class Scene {
   }
 
   /** The object a little further on the motion that gravity drives and no contact opposes. */
-  private fall({ dual }: NotHeld<Point>, points: Point[]): Node[] {
+  private fall(hold: NotHeld<Point>, points: Point[]): Node[] {
     const { radius } = this.model.frame;
-    const [vx, vy, turning] = dual.map((part) => -part) as [number, number, number];
+    const [vx, vy, turning] = proofOf(hold).map((part) => -part) as [number, number, number];
     const far = Math.max(...points.map((p) => length([vx - turning * p[1], vy + turning * p[0]])));
     if (!(far > 0)) return [];
     return [1, 2].map((step) => {

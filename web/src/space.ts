@@ -1,10 +1,11 @@
 // What is shown of a grasp in space: as state.ts in the plane. The certified best posture and the
 // sphere come from a worker, later than the rest.
-import { askSpatial, BadGrasp, type Held, type Hold, type Margins, type Plane, type SpatialBest, type SpatialCheck } from './core';
-import { scenariosOf, type SpatialGrasp, type Vec } from './grasp';
+import { askSpatial, BadGrasp, type GripUnit, type Held, type Hold, type Margins, type Plane, type SpatialBest, type SpatialCheck } from './core';
+import { scenariosOf, type Objective, type SpatialGrasp, type Vec } from './grasp';
+import { measure, type Measure } from './measure';
 import { bodyOf, bodyOfMesh, type Body, type Triangles } from './mesh';
 import type { Ring } from './ring';
-import { about, after, angle, ballOf, towards, turned, turnedBack, unit, type Ball, type Turn } from './turn';
+import { about, add, after, angle, ballOf, frame, times, towards, turned, turnedBack, unit, type Ball, type Turn } from './turn';
 import { radians } from './vector';
 import Worker from './worker?worker&inline';
 import type { Coloured, Part, Task } from './worker';
@@ -12,6 +13,8 @@ import type { Coloured, Part, Task } from './worker';
 export interface SpatialAnswers {
   grasp: SpatialGrasp;
   check: SpatialCheck;
+  gripUnit: GripUnit | null;
+  measure: Measure;
   hold: Hold<Vec>;
 }
 
@@ -144,13 +147,29 @@ export class SpatialModel {
     this.changed(true);
   }
 
-  margins(): Margins {
-    return askSpatial('margins', this.answers.grasp, { up: this.up });
+  /** What was found of another objective says nothing. */
+  minimise(objective: Objective): void {
+    this.found = {};
+    this.outdated = true;
+    this.edit((grasp) => void (grasp.objective = objective));
   }
 
-  effortAt(posture: Vec): number | undefined {
-    const hold = askSpatial('hold', this.answers.grasp, { up: posture });
-    return hold.holdable ? hold.effort : undefined;
+  margins(): Margins {
+    const { grasp, hold, measure } = this.answers;
+    const margins = askSpatial('margins', grasp, { up: this.up });
+    if (measure.objective === 'effort' || !hold.holdable) return margins;
+    const [x, y, z] = frame(hold.up);
+    const [degrees, sides] = [0.02, 16];
+    const ups = Array.from({ length: sides }, (_, k) => {
+      const side = add(times(Math.cos((2 * Math.PI * k) / sides), x), times(Math.sin((2 * Math.PI * k) / sides), y));
+      return add(times(Math.cos(radians(degrees)), z), times(Math.sin(radians(degrees)), side));
+    });
+    const values = askSpatial('values', grasp, { ups: [hold.up, ...ups] }).values;
+    return { ...margins, slopes: values.slice(1).flatMap((value) => (value === null ? [] : [(value - values[0]!) / degrees])) };
+  }
+
+  holdAt(posture: Vec, objective: Objective): Hold<Vec> {
+    return askSpatial('hold', this.answers.grasp, { up: posture, objective });
   }
 
   /** The minimum that a posture is, within an angle [rad]: as exact as minima are found. */
@@ -194,7 +213,14 @@ export class SpatialModel {
 
   private ask(): SpatialAnswers {
     const grasp = structuredClone(this.grasp);
-    return { grasp, check: askSpatial('check', grasp), hold: askSpatial('hold', grasp, { up: this.up }) };
+    const { objective, grip_unit } = askSpatial('objectives', grasp);
+    return {
+      grasp,
+      check: askSpatial('check', grasp),
+      gripUnit: grip_unit,
+      measure: measure(objective, grip_unit),
+      hold: askSpatial('hold', grasp, { up: this.up }),
+    };
   }
 
   private order(): void {
@@ -205,7 +231,7 @@ export class SpatialModel {
   private receive(part: Part): void {
     if (part.id !== this.task) return;
     if ('best' in part) Object.assign(this.found, { best: part.best, planes: part.planes, ring: part.ring });
-    else if ('efforts' in part) this.found.sphere = part;
+    else if ('values' in part) this.found.sphere = part;
     else this.outdated = false;
     if ('best' in part) this.outdated = false;
     this.tell();

@@ -9,7 +9,7 @@ import type { SpatialModel } from './space';
 import { line, node, place, set, text } from './svg';
 import { add, cross, dot, length, minus, times, turned, turnedBack, unit } from './turn';
 import { radians } from './vector';
-import { newtons, plain } from './words';
+import { plain } from './words';
 import type { Coloured } from './worker';
 
 /** Light where little force is needed; darker and darker, so that it can be read without colour. */
@@ -47,7 +47,7 @@ export class SphereView {
   ) {
     this.canvas = new Canvas(document.createElement('canvas'));
     this.canvas.element.setAttribute('aria-hidden', 'true');
-    this.picture = node('svg', { role: 'group', 'aria-label': 'The sphere of postures, coloured by the force norm' });
+    this.picture = node('svg', { role: 'group', 'aria-label': 'The sphere of postures, coloured by what it needs' });
     this.picture.append(this.ground, this.marks);
     const globe = document.createElement('div');
     globe.className = 'globe';
@@ -69,18 +69,18 @@ export class SphereView {
     return unit(turnedBack(this.model.orientation, turnedBack(view, [x, y, Math.sqrt(rest)])));
   }
 
-  /** What efforts are of. */
+  /** What values are of. */
   private net(coloured: Coloured): Triangles {
     if (this.known?.of !== coloured) {
-      const { level, efforts } = coloured;
+      const { level, values } = coloured;
       let net = sphere(level);
-      while (net.points.length < efforts.length) net = split(net, (k) => efforts[k] === null);
+      while (net.points.length < values.length) net = split(net, (k) => values[k] === null);
       this.known = { of: coloured, net };
     }
     return this.known.net;
   }
 
-  /** Force norms from the least of all to where colours end [N]. */
+  /** From the least of all that is shown to where colours end. */
   range(): { low: number; high: number } | undefined {
     const { sphere: coloured, best, ring } = this.model.found;
     if (!coloured) return undefined;
@@ -88,12 +88,16 @@ export class SphereView {
     const { tilt } = this.model.answers.check;
     const { points } = this.net(coloured);
     const inside = (p: Vec) => !tilt || dot(p, tilt.from) >= Math.cos(radians(tilt.max_deg));
-    for (const effort of ring?.efforts ?? []) if (effort !== null) [low, high] = [Math.min(low, effort), Math.max(high, effort)];
-    for (const [k, effort] of coloured.efforts.entries())
-      if (effort !== null && inside(points[k]!)) [low, high] = [Math.min(low, effort), Math.max(high, effort)];
-    if (best?.best) low = Math.min(low, best.best.effort);
+    for (const value of ring?.values ?? []) if (value !== null) [low, high] = [Math.min(low, value), Math.max(high, value)];
+    for (const [k, value] of coloured.values.entries())
+      if (value !== null && inside(points[k]!)) [low, high] = [Math.min(low, value), Math.max(high, value)];
+    const { measure } = this.model.answers;
+    [low, high] = [measure.shown(low), measure.shown(high)];
+    if (best?.best) low = Math.min(low, measure.of(best.best));
     if (!(low < Infinity)) return undefined;
-    return { low: Math.sqrt(low), high: Math.max(Math.min(Math.sqrt(high), 20 * Math.sqrt(low)), 1.05 * Math.sqrt(low)) };
+    // Where nothing is needed, colours begin a little above.
+    if (!(low > 1e-3 * high)) return { low: 0.05 * high || 1, high: high || 2 };
+    return { low, high: Math.max(Math.min(high, 20 * low), 1.05 * low) };
   }
 
   draw(): void {
@@ -145,6 +149,8 @@ export class SphereView {
     return { image: this.canvas.finely(() => this.draw()), overlay: this.picture, legend: this.legend };
   }
 
+  private logarithm = (value: number) => Math.log(Math.max(this.model.answers.measure.shown(value), 1e-30));
+
   private load(): void {
     const coloured = this.model.found.sphere;
     if (coloured === this.drawn && this.loaded) return;
@@ -152,16 +158,16 @@ export class SphereView {
     this.canvas.drop(this.loaded);
     const { points, triangles } = coloured ? this.net(coloured) : sphere(3);
     // What the band shows better is left to it.
-    const efforts = this.model.found.ring ? [] : coloured?.efforts ?? [];
+    const values = this.model.found.ring ? [] : coloured?.values ?? [];
     // Beside what cannot be held, the colour of the nearest that can.
-    const norms = points.map((_, k) => efforts[k] ?? NaN).map((effort) => Math.log(Math.sqrt(effort)));
-    const values = [...norms];
+    const logs = points.map((_, k) => this.logarithm(values[k] ?? NaN));
+    const shown = [...logs];
     for (const corners of triangles)
       for (const k of corners)
-        if (Number.isNaN(norms[k]))
+        if (Number.isNaN(logs[k]))
           for (const other of corners)
-            if (!Number.isNaN(norms[other]!)) values[k] = Math.max(Number.isNaN(values[k]!) ? -Infinity : values[k]!, norms[other]!);
-    const data = points.flatMap((_, k) => [Number.isNaN(values[k]!) ? 0 : values[k]!, Number.isNaN(norms[k]!) ? 1 : 0]);
+            if (!Number.isNaN(logs[other]!)) shown[k] = Math.max(Number.isNaN(shown[k]!) ? -Infinity : shown[k]!, logs[other]!);
+    const data = points.flatMap((_, k) => [Number.isNaN(shown[k]!) ? 0 : shown[k]!, Number.isNaN(logs[k]!) ? 1 : 0]);
     this.loaded = this.canvas.load(
       { position: { size: 3, data: new Float32Array(points.flat()) }, value: { size: 2, data: Float32Array.from(data) } },
       Uint32Array.from(triangles.flat()),
@@ -175,11 +181,11 @@ export class SphereView {
     this.canvas.drop(this.ring?.band);
     this.ring = undefined;
     if (!ring) return undefined;
-    const { normal, ups, efforts } = ring;
+    const { normal, ups } = ring;
     const half = times(0.012, normal);
     const points = ups.flatMap((up) => [unit(minus(up, half)), unit(add(up, half))]);
-    const values = efforts.flatMap((effort) => {
-      const value = effort === null ? [0, 1] : [Math.log(Math.sqrt(effort)), 0];
+    const values = ring.values.flatMap((each) => {
+      const value = each === null ? [0, 1] : [this.logarithm(each), 0];
       return [...value, ...value];
     });
     const corners = ups.slice(1).flatMap((_, k) => [0, 2, 1, 1, 2, 3].map((i) => 2 * k + i));
@@ -196,18 +202,19 @@ export class SphereView {
     const { best, planes } = this.model.found;
     if (!best || !planes) return '';
     if (best.lower_bound === null) return 'Every direction is cut off: it cannot be held in any of them.';
-    const norm = newtons(Math.sqrt(best.lower_bound));
-    const body = this.proof?.body ? `Blue: the loads that a force norm of ${norm} holds. ` : '';
-    return `${body}Green: planes that no load held by ${norm} can cross, each proven by the hold in one posture. The weight is on the sphere, whatever the posture; nothing that the planes enclose leaves it, so no posture needs less.`;
+    const { measure } = this.model.answers;
+    const least = measure.text(measure.shown(best.lower_bound));
+    const body = this.proof?.body ? `Blue: the loads that a ${measure.name} of ${least} holds. ` : '';
+    return `${body}Green: planes that no load held by ${least} can cross, each proven by the hold in one posture. The weight is on the sphere, whatever the posture; nothing that the planes enclose leaves it, so no posture needs less.`;
   }
 
-  /** Loads that an effort of the lower bound might carry by what the cuts say, and those that it
+  /** Loads that need the lower bound at most by what the cuts say, and those that it
    * carries: the weight, in the best posture, is as far as both reach. */
   private proved() {
     const { best, planes, sphere: coloured } = this.model.found;
     if (!best || !planes || best.lower_bound === null) return undefined;
     if (this.proof?.of === planes && this.proof.level === coloured?.level) return this.proof;
-    const faces = polytope(planes.map(({ a, b }) => ({ a, c: b === 0 && length(a) < 1.5 ? 0 : best.lower_bound! + b })), 1.5);
+    const faces = polytope(planes.map(({ a, b, rate }) => ({ a, c: rate * best.lower_bound! + b })), 1.5);
     const corners = faces.flatMap((face) => face.slice(2).flatMap((last, k) => [face[0]!, face[k + 1]!, last]));
     const flat = (points: Vec[]) => ({
       points,
@@ -227,21 +234,24 @@ export class SphereView {
     return this.proof;
   }
 
-  /** Without limits of the forces the effort is quadratic along a ray. */
+  /** Without limits of the forces what is shown grows in proportion along a ray. */
   private carried(): Loaded | undefined {
     const { best, sphere: coloured, ring } = this.model.found;
-    const limited = this.model.answers.check.contacts.some((each) => each.min_normal > 0 || each.max_normal !== null);
+    const limited = this.model.answers.check.contacts.some((each) => each.min_normal > 0 || each.max_normal !== null) ||
+      best?.best?.drives.some(({ max }) => max !== null);
     if (!coloured || !best?.lower_bound || limited) return undefined;
-    const far = (effort: number | null | undefined) => (effort ? Math.sqrt(best.lower_bound! / effort) : 0);
+    const { shown } = this.model.answers.measure;
+    const least = shown(best.lower_bound);
+    const far = (value: number | null | undefined) => (value ? least / shown(value) : 0);
     if (ring) {
-      const rim = ring.ups.map((up, k) => times(far(ring.efforts[k]), up));
+      const rim = ring.ups.map((up, k) => times(far(ring.values[k]), up));
       const fan = rim.slice(1).flatMap((p, k): Vec[] => [[0, 0, 0], rim[k]!, p]);
       return this.canvas.loadBody({ points: fan, triangles: byThree(fan), normals: fan.map(() => ring.normal) });
     }
     const { points, triangles } = this.net(coloured);
     const { tilt } = this.model.answers.check;
     const inside = points.map((p) => (tilt ? dot(p, tilt.from) - Math.cos(radians(tilt.max_deg)) : 1));
-    const reach = points.map((p, k) => times(far(coloured.efforts[k]), p));
+    const reach = points.map((p, k) => times(far(coloured.values[k]), p));
     const corners: Vec[] = [];
     const normals: Vec[] = [];
     for (const triangle of triangles) {
@@ -277,14 +287,15 @@ export class SphereView {
       return [centre[0] + x, centre[1] - y, z];
     };
     const marks: Node[] = [node('circle', { cx: centre[0], cy: centre[1], r: this.eye.scale, class: 'limb' })];
+    const { measure } = this.model.answers;
     const minima = best ? [...best.minima] : [];
     for (const each of minima) {
       const [x, y, z] = at(turned(this.model.orientation, each.up));
       if (z < -0.02 * this.eye.scale) continue;
-      const name = each.effort === best!.best?.effort ? 'best' : same(each.up, best!.best_pinched?.up) ? 'best pinched' : '';
+      const name = measure.of(each) === measure.of(best!.best!) ? 'best' : same(each.up, best!.best_pinched?.up) ? 'best pinched' : '';
       const mark = node('g', { class: `optimum min${name === 'best' ? ' best' : ''}` },
         node('circle', { cx: x, cy: y, r: name ? 6 : 4, class: 'symbol' }),
-        node('title', {}, `${name || 'minimum'}, ${each.manner}: √V = ${plain(each.force_norm)} N`));
+        node('title', {}, `${name || 'minimum'}, ${each.manner}: ${measure.name} ${measure.text(measure.of(each))}`));
       mark.addEventListener('click', () => this.model.turnTo(each.up));
       if (name) mark.append(text(name, [x, y + 20], 'optimum-label'));
       marks.push(mark);
@@ -307,8 +318,9 @@ export class SphereView {
       return;
     }
     const { low, high } = range;
+    const { hold, measure } = this.model.answers;
     const inside = width - bar.left - bar.right;
-    const x = (norm: number) => bar.left + (inside * Math.log(norm / low)) / Math.log(high / low);
+    const x = (shown: number) => bar.left + (inside * Math.log(shown / low)) / Math.log(high / low);
     const stops = ramp.map((rgb, k) => node('stop', { offset: k / 4, 'stop-color': `rgb(${rgb.map((c) => Math.round(255 * c)).join()})` }));
     const drawn: Node[] = [
       node('defs', {}, node('linearGradient', { id: 'ramp' }, ...stops)),
@@ -323,13 +335,12 @@ export class SphereView {
       last = x(tick) + half;
       drawn.push(text(label, [Math.max(x(tick), half), 30], 'tick'));
     }
-    drawn.push(text('force norm √V [N]', [width / 2, 45], 'title'));
-    const { hold } = this.model.answers;
+    drawn.push(text(measure.title, [width / 2, 45], 'title'));
     if (hold.holdable) {
-      const now = Math.min(Math.max(x(hold.force_norm), bar.left), width - bar.right);
+      const now = Math.min(Math.max(x(measure.of(hold)), bar.left), width - bar.right);
       drawn.push(node('path', { d: `M${now} 6l-5 -6h10Z`, class: 'pointer' }), line([now, 2], [now, 4 + bar.height], 'now'));
     }
-    set(this.legend, { 'aria-label': `Colours from ${newtons(low)}, light, to ${newtons(high)}, dark` });
+    set(this.legend, { 'aria-label': `Colours from ${measure.text(low)}, light, to ${measure.text(high)}, dark` });
     this.legend.replaceChildren(...drawn);
   }
 }

@@ -1,6 +1,7 @@
 // What is shown: a grasp, a posture, and the answers to them.
-import { ask, BadGrasp, type Best, type Check, type Curve, type Hold, type Margins, type Optimum } from './core';
-import type { Domain, PlanarGrasp, Point } from './grasp';
+import { ask, BadGrasp, type Best, type Check, type Curve, type GripUnit, type Hold, type Margins, type Optimum } from './core';
+import type { Domain, Objective, PlanarGrasp, Point } from './grasp';
+import { measure, type Measure } from './measure';
 import { outline } from './shape';
 import { length, minus } from './vector';
 import { wrapped } from './words';
@@ -8,8 +9,12 @@ import { wrapped } from './words';
 export interface PlanarAnswers {
   grasp: PlanarGrasp;
   check: Check;
+  gripUnit: GripUnit | null;
+  measure: Measure;
   best: Best;
   curve: Curve;
+  /** Of the other objective, where both are newtons. */
+  other: Curve | undefined;
   hold: Hold<Point>;
 }
 
@@ -68,13 +73,18 @@ export class PlanarModel {
     this.changed(true);
   }
 
+  /** @throws BadGrasp where the drives' limits leave no curve of the effort, and nothing changes. */
+  minimise(objective: Objective): void {
+    ask('curve', this.answers.grasp, { objective });
+    this.edit((grasp) => void (grasp.objective = objective));
+  }
+
   margins(): Margins {
     return ask('margins', this.answers.grasp, { angle_deg: this.angle });
   }
 
-  effortAt(angle: number): number | undefined {
-    const hold = ask('hold', this.answers.grasp, { angle_deg: angle });
-    return hold.holdable ? hold.effort : undefined;
+  holdAt(angle: number, objective: Objective): Hold<Point> {
+    return ask('hold', this.answers.grasp, { angle_deg: angle, objective });
   }
 
   /** The optimum within half a degree of a posture: exact, where a hand is not. */
@@ -113,13 +123,27 @@ export class PlanarModel {
   private ask(): PlanarAnswers {
     const { domain } = this;
     const grasp = structuredClone(this.grasp);
+    const { objective, grip_unit } = ask('objectives', grasp);
+    const other = objective === 'grip' ? 'effort' : 'grip';
     return {
       grasp,
       check: ask('check', grasp),
+      gripUnit: grip_unit,
+      measure: measure(objective, grip_unit),
+      other: grip_unit === 'N' ? this.curveOf(other, grasp) : undefined,
       best: ask('best', grasp, { domain }),
       curve: ask('curve', grasp, { domain }),
       hold: ask('hold', grasp, { angle_deg: this.angle }),
     };
+  }
+
+  private curveOf(objective: Objective, grasp: PlanarGrasp): Curve | undefined {
+    try {
+      return ask('curve', grasp, { domain: this.domain, objective });
+    } catch (error) {
+      if (error instanceof BadGrasp) return undefined;
+      throw error;
+    }
   }
 
   /** As it is held now; else the best pinched posture, the one that is worth looking at. */

@@ -69,27 +69,23 @@ const leftOut = ({ best, check }: PlanarAnswers, angle: number) =>
   best.options.domain === 'pinching-up' && check.fork_deg !== null && contains(check.fork_deg, angle);
 
 function further(answers: PlanarAnswers, angle: number, hold: Held<Point>, optimum: Optimum | undefined): string {
-  // In newtons of force norm per degree: d sqrt(V) = dV / (2 sqrt(V)).
-  const change = (side: 1 | -1) => {
-    const effort = slope(answers.curve, angle, side);
-    return effort === undefined ? undefined : effort / (2 * Math.sqrt(hold.effort));
-  };
+  const { measure } = answers;
   const said = (side: 1 | -1) => {
     const way = side > 0 ? 'counter-clockwise' : 'clockwise';
-    const by = change(side);
+    const by = slope(answers.curve, angle, side);
     if (by === undefined && leftOut(answers, angle + 0.01 * side)) return `${way} the postures are in the fork of the fingers, and left out`;
     if (by === undefined) return `turned further ${way} it cannot be held`;
-    if (Math.abs(by) < 1e-6 * hold.force_norm) return `${way} the force norm stays level at first`;
-    return `${way} it ${by > 0 ? 'rises' : 'falls'} by ${newtons(Math.abs(by))} per degree`;
+    if (Math.abs(by) < Math.max(1e-6 * measure.of(hold), 5e-10)) return `${way} the ${measure.name} stays level at first`;
+    return `${way} it ${by > 0 ? 'rises' : 'falls'} by ${measure.text(Math.abs(by))} per degree`;
   };
   const both = `Turned on, ${said(1)}, and ${said(-1)}.`.replace('Turned on, turned further', 'Turned further');
-  if (optimum?.type === 'min' && optimum.kind === 'kink')
+  if (optimum?.type === 'min' && optimum.kind === 'kink' && optimum.from_deg === undefined)
     return optimum.edges_meet
-      ? `Here the edges of the two friction cones meet on the vertical through the centre of mass: a kink, the force norm rises both ways. ${both}`
-      : `A kink: here a contact changes what it does, and the force norm rises both ways. ${both}`;
+      ? `Here the edges of the two friction cones meet on the vertical through the centre of mass: a kink, the ${measure.name} rises both ways. ${both}`
+      : `A kink: here ${measure.objective === 'grip' ? 'another drive or contact decides' : 'a contact changes what it does'}, and the ${measure.name} rises both ways. ${both}`;
   if (optimum?.type === 'min' && optimum.kind === 'smooth')
     return 'A smooth minimum: a small turn either way costs next to nothing.';
-  return both.replace('counter-clockwise it', 'counter-clockwise the force norm');
+  return both.replace('counter-clockwise it', `counter-clockwise the ${measure.name}`);
 }
 
 function compared(answers: PlanarAnswers, angle: number): string {
@@ -97,7 +93,8 @@ function compared(answers: PlanarAnswers, angle: number): string {
   const { hold } = answers;
   if (!best || !hold.holdable) return '';
   const same = (each: Optimum) => Math.abs(wrapped(each.angle_deg - angle)) < 1e-7;
-  const least = (each: Optimum) => `${plain(each.force_norm)} N at ${degrees(each.angle_deg)}`;
+  const { measure } = answers;
+  const least = (each: Optimum) => `${measure.text(measure.of(each))} at ${degrees(each.angle_deg)}`;
   const domain = answers.best.options.domain === 'all' ? '' : ' outside the fork of the fingers';
   const parts = same(best) ? [`No posture${domain} needs less.`] : [`Least${domain || ' of all'}: ${least(best)}, ${best.manner}.`];
   if (best_pinched && best_pinched.angle_deg !== best.angle_deg)
@@ -118,30 +115,45 @@ export function whyInSpace(model: SpatialModel, margins: Margins | undefined): s
     return said;
   }
   const contacts = contactsInWords(check.contacts, hold);
-  return [of ? of + contacts.charAt(0).toLowerCase() + contacts.slice(1) : contacts, steepest(model, hold), best ? comparedInSpace(model, best) : '', margins ? stillHolds(margins) : ''].filter(Boolean);
+  return [of ? of + contacts.charAt(0).toLowerCase() + contacts.slice(1) : contacts, steepest(model, hold, margins), best ? comparedInSpace(model, best) : '', margins ? stillHolds(margins) : ''].filter(Boolean);
 }
 
 const allowed = ({ answers }: SpatialModel) => (answers.check.tilt ? 'allowed' : 'other');
 
-/** V changes with the posture as the load does, by twice the velocity of the com under y. */
-function steepest(model: SpatialModel, hold: Held<Vec>): string {
-  const v = hold.dual.slice(0, 3) as unknown as Vec;
-  const w = hold.dual.slice(3) as unknown as Vec;
+/** V changes with the posture as the load does, by twice the velocity of the com under y. The grip may
+ * have a kink, where y is one of many. */
+function steepest(model: SpatialModel, hold: Held<Vec>, margins: Margins | undefined): string {
+  const { measure } = model.answers;
+  if (model.minimum(hold.up)) return 'A local minimum: no small turn needs less.';
+  if (measure.objective === 'grip') return margins?.slopes?.length ? amongSlopes(margins.slopes, measure.of(hold), measure.text) : '';
+  const v = hold.dual!.slice(0, 3) as unknown as Vec;
+  const w = hold.dual!.slice(3) as unknown as Vec;
   const { weight, com } = model.scenario;
   const gradient = times(weight / hold.force_norm, add(v, cross(w, com)));
   const across = minus(gradient, times(dot(gradient, hold.up), hold.up));
   const perDegree = length(across) * radians(1);
-  if (model.minimum(hold.up)) return 'A local minimum: no small turn needs less.';
   if (perDegree < 1e-6 * hold.force_norm) return 'A small turn changes next to nothing.';
-  return `Turned on, the force norm changes by up to ${newtons(perDegree)} per degree; a turn about the vertical changes nothing.`;
+  return changes(measure.name, newtons(perDegree));
+}
+
+const changes = (name: string, most: string) => `Turned on, the ${name} changes by up to ${most} per degree; a turn about the vertical changes nothing.`;
+
+function amongSlopes(slopes: number[], grip: number, text: (shown: number) => string): string {
+  const [least, most] = [Math.min(...slopes), Math.max(...slopes)];
+  const little = Math.max(1e-4 * grip, 5e-10);
+  if (least > little) return `A kink: whatever the turn, the grip rises, by ${text(least)} per degree and more.`;
+  if (most < -little) return `A kink: whatever the turn, the grip falls, by ${text(-most)} per degree and more.`;
+  const greatest = Math.max(most, -least);
+  return greatest < little ? 'A small turn changes next to nothing.' : changes('grip', text(greatest));
 }
 
 function comparedInSpace(model: SpatialModel, { best, best_pinched, status, relative_gap, holds }: SpatialBest): string {
   if (!best) return '';
   const here = (each: Held<Vec>) => model.minimum(model.up)?.up.join() === each.up.join();
-  const away = (each: Held<Vec>) => `${plain(each.force_norm)} N, ${degrees((between(each.up, model.up) * 180) / Math.PI)} from here`;
+  const { measure } = model.answers;
+  const away = (each: Held<Vec>) => `${measure.text(measure.of(each))}, ${degrees((between(each.up, model.up) * 180) / Math.PI)} from here`;
   const parts = here(best) ? [`No ${allowed(model)} posture needs less`] : [`Least of all: ${away(best)}, ${best.manner}`];
-  parts[0] += status === 'optimal' ? ` (proven by ${holds} holds).` : `, as far as ${holds} holds can tell: to ${percent(relative_gap!)} of the effort.`;
+  parts[0] += status === 'optimal' ? ` (proven by ${holds} holds).` : `, as far as ${holds} holds can tell: to ${percent(relative_gap!)} of the ${measure.objective}.`;
   if (best_pinched && String(best_pinched.up) !== String(best.up))
     parts.push(here(best_pinched) ? 'Of the pinched postures none that was found needs less.' : `Least pinched: ${away(best_pinched)}.`);
   return parts.join(' ');

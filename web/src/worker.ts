@@ -1,4 +1,4 @@
-// What takes longer than a frame: the certified best posture in space, and the efforts all around.
+// What takes longer than a frame: the certified best posture in space, and the values all around.
 import { askSpatial, BadGrasp, start, type Plane, type SpatialBest } from './core';
 import type { SpatialGrasp, Vec } from './grasp';
 import { icosahedron, refined, split } from './mesh';
@@ -15,11 +15,11 @@ export type Part =
   | ({ id: number } & Coloured)
   | { id: number; done: true };
 
-/** Efforts at the points of a sphere; then, of each `split` of it where postures can no longer be held,
+/** F or V at the points of a sphere; then, of each `split` of it where postures can no longer be held,
  * at the new ones. */
 export interface Coloured {
   level: number;
-  efforts: (number | null)[];
+  values: (number | null)[];
 }
 
 /** Spheres to be coloured: a rough one at once, a fine one in the end, and finer where holdable postures
@@ -41,29 +41,39 @@ self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task>) => {
   await new Promise((done) => setTimeout(done));
   if (data.id !== latest) return;
   for (const part of parts(data)) {
-    postMessage({ id: data.id, ...part });
+    if (part) postMessage({ id: data.id, ...part });
     await new Promise((done) => setTimeout(done));  // another task may have come
     if (data.id !== latest) return;
   }
   postMessage({ id: data.id, done: true });
 };
 
+/** Nothing in between: there another task may come. */
+function* valuesAt(grasp: SpatialGrasp, ups: Vec[]): Generator<undefined, (number | null)[]> {
+  const all: (number | null)[] = [];
+  for (let k = 0; k < ups.length; k += 250) {
+    all.push(...askSpatial('values', grasp, { ups: ups.slice(k, k + 250) }).values);
+    yield;
+  }
+  return all;
+}
+
 function* parts({ grasp }: Task) {
   try {
-    const efforts = (ups: Vec[]) => (ups.length ? askSpatial('efforts', grasp, { ups }).efforts : []);
-    yield { level: levels[0]!, efforts: efforts(refined(icosahedron, levels[0]!).points) };
+    const values = (ups: Vec[]) => valuesAt(grasp, ups);
+    yield { level: levels[0]!, values: yield* values(refined(icosahedron, levels[0]!).points) };
     const best = askSpatial('best', grasp);
     const { planes } = askSpatial('planes', grasp, { cuts: best.cuts });
     const normal = best.lower_bound === null ? undefined : flat(planes, best.lower_bound);
     const ups = normal && circle(normal);
-    yield { best, planes, ring: ups && { normal, ups, efforts: efforts(ups) } };
+    yield { best, planes, ring: ups && { normal, ups, values: yield* values(ups) } };
     let net = refined(icosahedron, levels[1]!);
-    const all = efforts(net.points);
+    const all = yield* values(net.points);
     for (let k = 0; k < finer && !normal; ++k) {
       net = split(net, (point) => all[point] === null);
-      all.push(...efforts(net.points.slice(all.length)));
+      all.push(...(yield* values(net.points.slice(all.length))));
     }
-    yield { level: levels[1]!, efforts: all };
+    yield { level: levels[1]!, values: all };
   } catch (error) {
     // The page has been told already.
     if (!(error instanceof BadGrasp)) throw error;

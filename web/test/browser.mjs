@@ -42,11 +42,17 @@ export async function open(file, { width = 1280, height = 800, colorScheme = 'li
 export const frame = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 export const verdict = (page) => page.textContent('#verdict');
 export const minima = (page) =>
-  page.$$eval('#minima button', (all) => all.map(({ dataset }) => ({ angle: +dataset.angle, effort: +dataset.effort })));
+  page.$$eval('#minima button', (all) => all.map(({ dataset }) => ({ angle: +dataset.angle, value: +dataset.value })));
 export async function choose(page, label) {
   await page.selectOption('#preset', { label });
   await frame(page);
 }
+/** What is to be least: grip or effort. */
+export async function minimise(page, objective) {
+  await page.check(`[name=objective][value=${objective}]`, { force: true });
+  await frame(page);
+}
+export const objective = (page) => page.$eval('[name=objective]:checked', (each) => each.value);
 export async function drag(page, selector, dx, dy) {
   const box = await page.$eval(selector, (each) => each.getBoundingClientRect().toJSON());
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];

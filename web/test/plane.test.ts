@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { Arc, Curve } from '../src/core';
-import { contains, effortOn, onAxis, samples, slope } from '../src/curve';
+import { contains, heightOn, onAxis, samples, slope } from '../src/curve';
 import { fileName, fromLink, toLink, yaml } from '../src/files';
 import type { Grasp, PlanarShape, Point } from '../src/grasp';
 import { alphas, asPaper, paperDisk } from '../src/paper';
@@ -29,8 +29,10 @@ describe('the paper', () => {
   });
 });
 
-describe('the curve', () => {
-  const arc: Arc = { from_deg: 100, to_deg: 250, V: { c0: 9, cos1: 1, sin1: 2, cos2: -3, sin2: 1 } };
+describe.each([
+  ['effort', { from_deg: 100, to_deg: 250, V: { c0: 9, cos1: 1, sin1: 2, cos2: -3, sin2: 1 } }, (c: number, s: number) => Math.sqrt(9 + c + 2 * s - 3 * (c * c - s * s) + 2 * s * c)],
+  ['grip', { from_deg: 100, to_deg: 250, F: { c0: 9, cos1: 1, sin1: 2 } }, (c: number, s: number) => 9 + c + 2 * s],
+] as [string, Arc, (c: number, s: number) => number][])('the curve of the %s', (_, arc, height) => {
   const curve: Curve = { arcs: [arc], optima: [], holdable_arcs_deg: [[100, 250]] };
   test('is drawn on the axis', () => {
     expect(onAxis([100, 250])).toEqual([[-180, -110], [100, 180]]);
@@ -39,10 +41,11 @@ describe('the curve', () => {
     const points = samples(curve, 1).flat();
     expect(Math.min(...points.map(([angle]) => angle))).toBe(-180);
     expect(Math.max(...points.map(([angle]) => angle))).toBe(180);
+    for (const [angle, y] of points) expect(y).toBeCloseTo(height(Math.cos((angle * Math.PI) / 180), Math.sin((angle * Math.PI) / 180)), 12);
   });
   test('is as steep as it looks', () => {
     const step = 1e-5;
-    const rise = (effortOn(arc, 150 + step) - effortOn(arc, 150 - step)) / (2 * step);
+    const rise = (heightOn(arc, 150 + step) - heightOn(arc, 150 - step)) / (2 * step);
     expect(slope(curve, 150, 1)).toBeCloseTo(rise, 6);
     expect(slope(curve, 150, -1)).toBeCloseTo(-rise, 6);
     expect(slope(curve, 0, 1)).toBeUndefined();

@@ -191,15 +191,19 @@ test('where something changes, a sphere is split, and covers as much as before',
 
 describe('a plane of loads', () => {
   const n = unit([1, 2, 3]);
-  const wall = { a: times(1e9, n), b: 0 };
-  const back = { a: times(-3e9, n), b: 1e-9 };
+  const wall = { a: times(1e9, n), b: 0, rate: 1 };
+  const back = { a: times(-3e9, n), b: 1e-9, rate: 1 };
   test('is what two walls leave', () => {
-    const found = flat([{ a: [3, 4, 5], b: 2 }, wall, { a: [0, 0, -7], b: 2 }, back], 2)!;
+    const found = flat([{ a: [3, 4, 5], b: 2, rate: 1 }, wall, { a: [0, 0, -7], b: 2, rate: 1 }, back], 2)!;
+    close(times(Math.sign(dot(found, n)), found), n);
+  });
+  test('is what two walls leave that hold whatever the grip', () => {
+    const found = flat([{ a: n, b: 0, rate: 0 }, { a: times(-1, n), b: 0, rate: 0 }], 2)!;
     close(times(Math.sign(dot(found, n)), found), n);
   });
   test('is not what one wall leaves, nor two with room between them', () => {
-    expect(flat([wall, { a: [3, 4, 5], b: 2 }], 2)).toBeUndefined();
-    expect(flat([{ a: n, b: 2 }, { a: times(-1, n), b: 2 }], 2)).toBeUndefined();
+    expect(flat([wall, { a: [3, 4, 5], b: 2, rate: 1 }], 2)).toBeUndefined();
+    expect(flat([{ a: n, b: 2, rate: 1 }, { a: times(-1, n), b: 2, rate: 1 }], 2)).toBeUndefined();
   });
   test('is gone round once', () => {
     const ups = circle(n);
