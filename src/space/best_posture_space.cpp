@@ -92,10 +92,8 @@ SearchState prove(const Task& task, Best<3>& best) {
   const double claimed = lower_bound(prover);
   best.proof.holds = full.oracle.holds + spent;
   best.proof.cuts = certificate(prover, claimed);
-  const double bound = is_plain
-                           ? search::proven_bound(grasp, best.proof.cuts, prover.oracle.is_gauge,
-                                                  prover.oracle.least, claimed, settings.gap)
-                           : claimed;
+  const double bound =
+      search::proven_bound(grasp, best.proof.cuts, prover.oracle, settings, claimed);
   const double unit = full.oracle.unit;
   best.lower_bound =
       settings.objective == Objective::grip ? unit * std::sqrt(bound) : unit * unit * bound;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "dual/exact.hpp"
+#include "poise/grip.hpp"
 #include "space/search.hpp"
 
 namespace poise::search {
@@ -19,27 +20,56 @@ constexpr double loosened = 1e-11;
 /// Shorter y [1 / weight] lose less by rounding than the search adds for it.
 constexpr double longest_trusted_y = 1e6;
 
-/// The half-space n . x <= b in which a cut leaves the loads x whose effort [N^2] is at most t.
-/// Where the root of the effort is a gauge, for the best length of y.
-Plane left_by(const Grasp<3>& grasp, const Cut& cut, Exact t, bool is_gauge) {
+/// What cuts are to prove: that no posture needs at most t, an effort [N^2] or a grip.
+struct Claim {
+  const Grasp<3>& grasp;
+  const SpatialSettings& settings;
+  bool is_gauge;  ///< the root of the effort is one
+  Exact t;
+
+  /// y . w of the loads that need at most t is at most this.
+  Exact most_power(const Cut& cut) const;
+};
+
+Exact Claim::most_power(const Cut& cut) const {
+  dual::Rates rates;
+  const std::size_t count = cut.rates ? cut.rates->size() : 0;
+  rates.resize(count);
+  Exact sum = 0;
+  for (std::size_t a = 0; a < count; ++a) sum += rates[a] = (*cut.rates)[a];
+  const Wrench<3> none = Wrench<3>::Zero();
+  if (settings.objective == Objective::grip) {
+    const bool in_parts = grip_unit<3>(grasp) == GripUnit::part_of_max;
+    return sum * t - dual::grip_bound<3>(grasp, none, cut.y, rates, in_parts,
+                                         settings.force_cap * grasp.weight());
+  }
+  if (count > 0) return t / 2 - dual::effort_bound<3>(grasp, none, cut.y, rates, 1) / 2;
+  const Exact phi = dual::phi<3>(grasp, cut.y);
+  return is_gauge ? std::sqrt(2 * std::max<Exact>(phi, 0) * t) : t / 2 + phi;
+}
+
+/// The half-space n . x <= b in which a cut leaves the loads x that need at most t. Where the root
+/// of the effort is a gauge, for the best length of y.
+Plane left_by(const Claim& claim, const Cut& cut) {
   if (cut.n) return {cut.n->normalized(), 0};
+  const Grasp<3>& grasp = claim.grasp;
   const Load<3>& load = grasp.loads()[cut.load];
   const Eigen::Matrix<Exact, 3, 1> v = dual::velocity<3>(cut.y, load.com);
-  const Exact phi = dual::phi<3>(grasp, cut.y), speed = load.weight * v.norm();
+  const Exact speed = load.weight * v.norm();
   const Exact size = grasp.radius() + (load.com - grasp.center()).norm();
   const Exact slack = dual::delta * load.weight * (v.norm() + size * cut.y.tail<3>().norm());
   const Exact fixed = cut.y.cast<Exact>().dot(load.fixed.cast<Exact>());
-  const Exact b = is_gauge ? std::sqrt(2 * std::max<Exact>(phi, 0) * t) : t / 2 + phi - fixed;
+  const Exact b = claim.most_power(cut) - fixed;
   return {(v / v.norm()).cast<double>(), static_cast<double>((b + slack) / speed)};
 }
 
-/// What cuts leave of the loads x whose effort is at most t, in a cube around the unit sphere.
-Polytope left_by(const Grasp<3>& grasp, const std::vector<Cut>& cuts, Exact t, bool is_gauge) {
+/// What cuts leave of the loads x that need at most t, in a cube around the unit sphere.
+Polytope left_by(const Claim& claim, const std::vector<Cut>& cuts) {
   constexpr double cube = 4;
   Polytope left(cube);
   int id = static_cast<int>(Polytope::cube_sides);
   for (const Cut& cut : cuts) {
-    const Plane plane = left_by(grasp, cut, t, is_gauge);
+    const Plane plane = left_by(claim, cut);
     if (plane.n.allFinite() && std::isfinite(plane.b)) left.cut(plane.n, plane.b + loosened, id++);
   }
   return left;
@@ -82,23 +112,30 @@ double lower_bound(SearchState& state) {
   return std::max(state.oracle.least, bound);
 }
 
-double proven_bound(const Grasp<3>& grasp, const std::vector<Cut>& cuts, bool is_gauge,
-                    double least, double claimed, double gap) {
+double proven_bound(const Grasp<3>& grasp, const std::vector<Cut>& cuts, const Oracle& oracle,
+                    const SpatialSettings& settings, double claimed) {
+  const bool is_grip = settings.objective == Objective::grip;
   const bool is_long = std::any_of(cuts.begin(), cuts.end(), [&](const Cut& cut) {
     return cut.y.cwiseAbs().maxCoeff() > longest_trusted_y * grasp.loads()[cut.load].weight;
   });
-  if (!is_long) return claimed;
-  const Exact square = Exact{grasp.weight()} * grasp.weight();
-  if (is_gauge) {
-    const Polytope left = left_by(grasp, cuts, square * claimed, true);
+  if (!is_long && !is_grip && !grasp.is_general()) return claimed;
+  const Exact unit = oracle.unit;
+  const auto left_at = [&](Exact bound) {
+    return left_by(
+        {grasp, settings, oracle.is_gauge, is_grip ? unit * std::sqrt(bound) : unit * unit * bound},
+        cuts);
+  };
+  const double least = oracle.least;
+  if (oracle.is_gauge) {
+    const Polytope left = left_at(claimed);
     const std::size_t far = left.farthest();
     const double beyond = far == Polytope::none ? 0 : left[far].square;
     return std::max(least, claimed / std::max(beyond, 1.0));
   }
   // Claims that fail do so by little: longer and longer steps down.
   double bound = claimed;
-  for (double step = 1e-3 * gap; bound > least; step *= 4) {
-    if (leaves_no_posture(left_by(grasp, cuts, square * bound, false))) return bound;
+  for (double step = 1e-3 * settings.gap; bound > least; step *= 4) {
+    if (leaves_no_posture(left_at(bound))) return bound;
     bound = claimed * (1 - step);
   }
   return least;

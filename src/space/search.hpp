@@ -25,10 +25,10 @@ double lower_bound(SearchState& state);
 /// The half-spaces that are needed for a bound t, as cuts.
 std::vector<Cut> certificate(const SearchState& state, double t);
 
-/// What the cuts prove, whatever rounding of long y made the search believe: at most `claimed`
-/// [squared weights], at least `least`, which needs no cut.
-double proven_bound(const Grasp<3>& grasp, const std::vector<Cut>& cuts, bool is_gauge,
-                    double least, double claimed, double gap);
+/// What the cuts prove, whatever rounding made the search believe: at most `claimed` [squared units
+/// of the oracle], at least its `least`, which needs no cut.
+double proven_bound(const Grasp<3>& grasp, const std::vector<Cut>& cuts, const Oracle& oracle,
+                    const SpatialSettings& settings, double claimed);
 
 /// Calls `step` while it returns true, holds are left to spend, and better values may exist.
 template <class Step>
