@@ -1,5 +1,6 @@
 #include "dual/interior.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -254,6 +255,8 @@ class Interior {
     if (for_grip_) f(F_);
   }
 
+  void find_unfelt();
+  void solve_for(Column& x) const;
   void find_residuals();
   T center();
   void factorise();
@@ -283,6 +286,7 @@ class Interior {
   Screw balance_residual_;
   T F_residual_{0}, gap_residual_{0}, square_{0}, dual_{0}, primal_error_{0}, dual_error_{0};
   Factors<T> factors_;
+  std::vector<Twist<Dim>> unfelt_;  ///< of length 1: what neither contacts nor the load feel
   std::vector<Square> M_;  ///< of the fingers: wrench per twist
   Side step_, growing_;    ///< growing: per unit of tau
 };
@@ -339,10 +343,37 @@ Interior<Dim, T>::Interior(const ConeHand<Dim>& hand, const Wrench<Dim>& w, Want
     ray.u = 1 / ray.s;
     degree_ += 1;
   });
+  find_unfelt();
   for (Side* side : {&step_, &growing_}) {
     side->x.resize(factors_.matrix().rows());
     side->N.resize(bodies_.size());
     side->t.resize(parts_.size());
+  }
+}
+
+template <int Dim, class T>
+void Interior<Dim, T>::find_unfelt() {
+  constexpr double nothing = 1e-15;  // of a square
+  Eigen::Matrix<double, rows, rows> felt = Eigen::Matrix<double, rows, rows>::Zero();
+  for (const ConeContact<Dim>& contact : hand_.contacts)
+    felt += contact.normal * contact.normal.transpose();
+  for (const ConePart<Dim>& part : hand_.parts) felt += part.G * part.G.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, rows, rows>> eigen(felt);
+  const Wrench<Dim> w = w_.template cast<double>();
+  for (int k = 0; k < rows; ++k) {
+    const Twist<Dim> twist = eigen.eigenvectors().col(k);
+    const bool is_felt = eigen.eigenvalues()[k] > nothing * eigen.eigenvalues()[rows - 1];
+    if (!is_felt && std::abs(twist.dot(w)) <= 1e-13 * w.norm()) unfelt_.push_back(twist);
+  }
+}
+
+/// Nothing of what neither contacts nor the load feel: rounding would make it without end.
+template <int Dim, class T>
+void Interior<Dim, T>::solve_for(Column& x) const {
+  factors_.solve(x);
+  for (const Twist<Dim>& unfelt : unfelt_) {
+    const Screw v = unfelt.template cast<T>();
+    y_of(x) -= v.dot(y_of(x)) * v;
   }
 }
 
@@ -502,7 +533,7 @@ void Interior<Dim, T>::solve(Side& side, const T& damping, bool of_tau) {
   }
   if (for_grip_)
     x[x.size() - 1] = of_tau ? T(1) : T(-damping * F_residual_ - F_.curvature() * F_.d);
-  factors_.solve(x);
+  solve_for(x);
   follow(side, x);
 
   side.gap = w_.dot(y_of(x));
@@ -568,7 +599,7 @@ T Interior<Dim, T>::refine(const T& damping) {
     for (std::size_t a = 0; a < drives_.size(); ++a) missing -= known[static_cast<Eigen::Index>(a)];
   }
   const T missing = y_of(x).cwiseAbs().maxCoeff();
-  factors_.solve(x);
+  solve_for(x);
   follow(step_, x);
   step_.x += x;
   return missing;

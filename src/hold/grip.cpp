@@ -216,10 +216,12 @@ Hold<Dim> least_grip(const Hand<Dim>& hand, const Wrench<Dim>& load, double weig
     if (grip(hand, easier) <= grip(hand, hold) * (1 + 4 * room) + 1e-12 * unit)
       hold = std::move(easier);
   }
-  // Where nothing has an inside, or takes more than the cap, the least effort decides.
-  if (hold.effort > cap * cap || !is_fair(hand, weight, hold)) {
-    hold = poise::hold(hand, load, weight, Twist<Dim>(Twist<Dim>::Zero()),
-                       {.force_cap = settings.force_cap});
+  // Where nothing has an inside the least effort decides; what the cap allows it says, too.
+  const bool fair = is_fair(hand, weight, hold);
+  if (hold.effort > cap * cap || !fair) {
+    Hold<Dim> easiest = poise::hold(hand, load, weight, Twist<Dim>(Twist<Dim>::Zero()),
+                                    {.force_cap = settings.force_cap});
+    if (!fair || !easiest.holdable) hold = std::move(easiest);
     if (!hold.holdable) return hold;
   }
 
