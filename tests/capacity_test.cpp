@@ -571,6 +571,13 @@ bool excludes(const Grasp<Dim>& grasp, const Vector<Dim>& up, const WeightEnd<Di
          most + cap * grasp.weight() * std::sqrt(squared);
 }
 
+/// Held on one side of a limit, not on the other.
+template <class Holds>
+void changes_at(const Holds& holds, double held, double not_held) {
+  RC_ASSERT(holds(held));
+  RC_ASSERT(!holds(not_held));
+}
+
 #ifndef __wasm__  // near a limit of drives these need wide numbers, which the page does without
 template <int Dim, class Recipe>
 void check_drives(const Recipe& held, const Vector<Dim>& up) {
@@ -622,13 +629,6 @@ RC_GTEST_PROP(CapacityOfDrives, IsProvenAndIsTheLimitOverTheLeastGripInSpace, ()
   const space::Held held = *space::grasps(
       {.least_contacts = 2, .most_contacts = 6, .limits = one_in(2), .awkward = false});
   check_drives<3>(held, space::random_direction());
-}
-
-/// Held on one side of a limit, not on the other.
-template <class Holds>
-void changes_at(const Holds& holds, double held, double not_held) {
-  RC_ASSERT(holds(held));
-  RC_ASSERT(!holds(not_held));
 }
 
 RC_GTEST_PROP(CapacityOfDrives, LeastFrictionIsWhereHoldingBegins, ()) {
