@@ -152,7 +152,7 @@ await page.keyboard.press('Escape');
 expect(await page.evaluate(() => !document.querySelector('#save').open && document.activeElement.tagName === 'SUMMARY'), 'a closed menu keeps the focus');
 await page.locator('#sphere circle.area').focus();
 await changes('a key on the sphere', () => page.keyboard.press('ArrowUp'));
-await shows('cylinder in three fingers');
+await shows('box in three fingers');  // all of them press in the best posture
 await page.locator('#space .contact').first().focus();
 expect(await changes('a key on a finger', () => page.keyboard.press('ArrowUp')), 'a key moves a finger');
 await page.locator('#space .com').focus();
