@@ -17,6 +17,7 @@
 namespace poise {
 
 inline constexpr double at_limit = 1e-9;  // of the weight, and of the friction
+inline constexpr double most_residual = 1e-7;  // [weights], of what is told as a hold
 
 /// The friction used and the state of one lane of contacts, without a branch: which of them are
 /// loaded is hard to foresee.
@@ -185,6 +186,12 @@ Hold<Dim> solve(const dual::Problem<Dim>& problem, const Wrench<Dim>& w, const T
   }
   write_point(problem, point, hold);
   hold.dual = about_origin(problem.hand, problem.weight, point.y);
+  if (hold.residual > most_residual) {  // forces near the cap, which rounding keeps from balancing
+    Hold<Dim> open;
+    open.proven = false;
+    open.dual = hold.dual;
+    return open;
+  }
   // A long y may ask more for the load itself than for one within the balance tolerance.
   hold.lower_bound = std::min(problem.weight * problem.weight * 2 * point.value, hold.effort);
   return hold;
