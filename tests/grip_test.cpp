@@ -338,6 +338,38 @@ RC_GTEST_PROP(LeastGrip, GrowsWithTheLoad, ()) {
               1e-7 * (grasp.weight() + grip(grasp, thrice)));
 }
 
+void expect_proven(const Grasp<3>& grasp, const Vector<3>& up, double F) {
+  const Hold<3> hold = least_grip(grasp, up);
+  ASSERT_TRUE(hold.holdable);
+  EXPECT_NEAR(hold.grip, F, 1e-7 * F);
+  EXPECT_NEAR(hold.lower_bound, F, 1e-7 * F);
+}
+
+// Two fingers press down on a wedge from either side; friction is just enough to lift it:
+// F (mu c - s) = W / 2.
+TEST(LeastGrip, OfAWedgeThatIsLiftedByItsSlopesIsProven) {
+  const double c = 0.5457426531835383, s = std::sqrt(1 - c * c), mu = s / c + 1e-4;
+  const Vector<3> right(c, 0, s), left(-c, 0, s);
+  std::vector<Contact<3>> contacts = {finger(right, -right, mu), finger(left, -left, mu)};
+  for (Contact<3>& contact : contacts) contact.torsion = 0.3;
+  expect_proven(Grasp<3>({.weight = 1}, contacts), {0, 0, 1}, 0.5 / (mu * c - s));
+}
+
+// Four frictionless fingers in a cone above the com, two of them pads: their normals alone carry.
+TEST(Pad, WithoutFrictionCarriesByItsNormalForce) {
+  std::vector<Contact<3>> contacts;
+  for (int k = 0; k < 4; ++k) {
+    const double at = pi / 2 * k, c = 0.5, s = std::sqrt(0.75);
+    const Vector<3> out(c * std::cos(at), c * std::sin(at), s);
+    contacts.push_back(finger(out, -out, 0));
+    if (k < 2) contacts.back().pad = rectangular_pad({0.05, 0.05}, {0, 0, 1}, -out, 2);
+  }
+  const Grasp<3> grasp({.weight = 1}, contacts);
+  const Vector<3> down(0, 0, -1);
+  expect_proven(grasp, down, 1 / (4 * std::sqrt(0.75)));
+  EXPECT_NEAR(hold(grasp, down).effort, 4 / (16 * 0.75), 1e-9);
+}
+
 /// Some contacts are pads.
 Grasp<3> random_pads() {
   space::Held held =

@@ -36,24 +36,37 @@ void expect_just_enough(const Held& held, const Vector<3>& up) {
   EXPECT_GT(moved(held, up, 0.99, normal_forces(found)), slipped * 10);
 }
 
-TEST(Replay, OfJawsIsJustEnough) {
-  // 10 N between two fingers, in the middle; then 2 cm beside, where only soft ones hold it.
-  Held held{{10, {0, 0, 0}},
-            {contact({0.1, 0, 0}, {-1, 0, 0}, 0.5), contact({-0.1, 0, 0}, {1, 0, 0}, 0.5)}};
-  expect_just_enough(held, {0, 0.6, 0.8});
-  for (Contact<3>& c : held.contacts) c.torsion = 0.01;
-  held.object.com = {0, 0.02, 0};
-  expect_just_enough(held, {0, 0, 1});
+/// 10 N between two fingers, in the middle.
+Held jaws() {
+  return {{10, {0, 0, 0}},
+          {contact({0.1, 0, 0}, {-1, 0, 0}, 0.5), contact({-0.1, 0, 0}, {1, 0, 0}, 0.5)}};
 }
 
-TEST(Replay, OfThreeFingersRoundACylinderIsJustEnough) {
+/// The same 2 cm beside the middle, where only soft fingers hold it.
+Held soft_jaws_beside() {
+  Held held = jaws();
+  for (Contact<3>& c : held.contacts) c.torsion = 0.01;
+  held.object.com = {0, 0.02, 0};
+  return held;
+}
+
+Held three_round_a_cylinder() {
   Held held{{20, {0, 0, -0.05}}, {}};
   for (int k = 0; k < 3; ++k) {
     const double at = 2 * pi * k / 3;
     const Vector<3> out(std::cos(at), std::sin(at), 0);
     held.contacts.push_back(contact(0.04 * out, -out, 0.4));
   }
-  expect_just_enough(held, {0, 0, 1});
+  return held;
+}
+
+TEST(Replay, OfJawsIsJustEnough) {
+  expect_just_enough(jaws(), {0, 0.6, 0.8});
+  expect_just_enough(soft_jaws_beside(), {0, 0, 1});
+}
+
+TEST(Replay, OfThreeFingersRoundACylinderIsJustEnough) {
+  expect_just_enough(three_round_a_cylinder(), {0, 0, 1});
 }
 
 /// Pressed with 1.01 of the least grip it stays, with 0.98 of it it slips.
@@ -70,21 +83,10 @@ void expect_grip_just_enough(const Held& held, const Vector<3>& up) {
 }
 
 TEST(Replay, OfTheLeastGripIsJustEnough) {
-  Held jaws{{10, {0, 0, 0}},
-            {contact({0.1, 0, 0}, {-1, 0, 0}, 0.5), contact({-0.1, 0, 0}, {1, 0, 0}, 0.5)}};
-  expect_grip_just_enough(jaws, {0, 0.6, 0.8});
-  for (Contact<3>& c : jaws.contacts) c.torsion = 0.01;
-  jaws.object.com = {0, 0.02, 0};
-  expect_grip_just_enough(jaws, {0, 0, 1});
-  expect_grip_just_enough(jaws, {0, 0.6, 0.8});
-
-  Held three{{20, {0, 0, -0.05}}, {}};
-  for (int k = 0; k < 3; ++k) {
-    const double at = 2 * pi * k / 3;
-    const Vector<3> out(std::cos(at), std::sin(at), 0);
-    three.contacts.push_back(contact(0.04 * out, -out, 0.4));
-  }
-  expect_grip_just_enough(three, {0, 0, 1});
+  expect_grip_just_enough(jaws(), {0, 0.6, 0.8});
+  expect_grip_just_enough(soft_jaws_beside(), {0, 0, 1});
+  expect_grip_just_enough(soft_jaws_beside(), {0, 0.6, 0.8});
+  expect_grip_just_enough(three_round_a_cylinder(), {0, 0, 1});
 }
 
 /// The grasp in which each contact presses with the claimed normal force, no more and no less.
