@@ -1,9 +1,11 @@
-// How a hand turns the object from one posture to another.
+// How a hand turns the object from one posture to another, and what that takes on the way:
+// docs/theory.md, "The turn".
 #pragma once
 
 #include <Eigen/Geometry>
+#include <vector>
 
-#include "poise/wrench.hpp"
+#include "poise/best_posture.hpp"
 
 namespace poise {
 
@@ -26,5 +28,98 @@ Turn turn_to(const Eigen::Quaterniond& orientation, const Vector<3>& up);
 /// An orientation (object to world) in which `up` is up. Which one is not told by `up`: the one
 /// nearest to the world frame.
 Eigen::Quaterniond orientation_of(const Vector<3>& up);
+
+/// Postures of a turn in which the object cannot be held, and one of them, to show why.
+template <int Dim>
+struct UnholdableStretch {
+  double from{0}, to{0};  ///< [rad] from the start of the turn
+  double at{0};           ///< of `posture`
+  Posture<Dim> posture;
+};
+
+/// The most that the fingers need on a turn, between two bounds.
+template <int Dim>
+struct TurnPeak {
+  double angle{0};        ///< of the whole turn [rad]; in the plane counter-clockwise positive
+  double peak{0};         ///< V [N^2] or F: no posture needs more; infinite where one is unholdable
+  double lower_bound{0};  ///< one posture needs at least so much
+  double at{0};           ///< where [rad] from the start, like `angle`
+  Posture<Dim> posture;   ///< there
+  std::vector<UnholdableStretch<Dim>> unholdable;  ///< in their order
+};
+
+/// The peak of a planar turn from the posture `from` [rad] by `angle` [rad], counter-clockwise
+/// positive and at most a whole turn: read off the posture curve, exactly. The domain of the
+/// settings does not matter.
+/// @throws InvalidGrasp as posture_curve(), and where `angle` is out of its range
+TurnPeak<2> turn_peak(const Grasp<2>& grasp, double from, double angle,
+                      const CurveSettings& settings = {});
+
+/// The two ways round from a planar posture to another [rad], the one of the lower peak first; of
+/// ties the shorter, then that counter-clockwise. Where both postures lie in the domain, a way that
+/// leaves it is left out. Empty where they are the same.
+/// @throws InvalidGrasp as posture_curve()
+std::vector<TurnPeak<2>> ways_round(const Grasp<2>& grasp, double from, double to,
+                                    const CurveSettings& settings = {});
+
+/// What to enclose in space, and how closely.
+struct TurnSettings {
+  Objective objective{Objective::effort};  ///< of which the peak is
+  double gap{1e-3};            ///< wanted: (peak - lower_bound) / peak, > 0 and < 1
+  int max_holds{20000};        ///< holds to spend, >= 1
+  double force_cap{1e6};       ///< in weights of the heaviest load
+  std::optional<Tilt> tilt{};  ///< where ways stay, if they start and end there
+};
+
+/// The peak of the straight turn, the smallest from the orientation `from` (object to world) to the
+/// posture `to` (unit vector, object frame): that of smallest_turn(). The tilt does not matter.
+/// @throws InvalidGrasp for settings out of their ranges, or where `to` is no unit vector
+TurnPeak<3> turn_peak(const Grasp<3>& grasp, const Eigen::Quaterniond& from, const Vector<3>& to,
+                      const TurnSettings& settings = {});
+/// The same from the orientation_of() a posture.
+TurnPeak<3> turn_peak(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& to,
+                      const TurnSettings& settings = {});
+
+/// A part of a wall: on the great circle from `up` to the next part's (after the last comes the
+/// first) `cut` proves that every posture needs at least what the wall does, or is outside of the
+/// domain.
+struct WallPart {
+  Vector<3> up;  ///< unit vector, object frame
+  Cut cut;
+};
+
+/// A turn through postures, each step the smallest turn, and the proof that no other takes less.
+struct Way {
+  /// optimal: the peak is within the wanted gap. unholdable: proven that there is no way.
+  Status status{Status::gap};
+  /// V [N^2] or F: no posture of the way needs more; infinite where no way was found.
+  double peak{std::numeric_limits<double>::infinity()};
+  double lower_bound{0};       ///< no way in the domain has a lower peak
+  std::vector<Vector<3>> ups;  ///< from the start to the end; empty where no way was found
+  /// A closed curve that separates start from end. Empty where the start or the end themselves need
+  /// lower_bound.
+  std::vector<WallPart> wall;
+  int holds{0};  ///< spent on it
+};
+
+/// The way of least peak from a posture to another (unit vectors, object frame).
+/// @throws InvalidGrasp for settings out of their ranges, or where `from` or `to` is no unit vector
+Way least_peak_way(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& to,
+                   const TurnSettings& settings = {});
+
+/// The best posture among those that can be reached without ever needing more than now.
+struct Reachable {
+  Vector<3> up;           ///< unit vector, object frame
+  double value{0};        ///< V [N^2] or F there
+  double lower_bound{0};  ///< no posture that can be reached needs less
+  bool is_proven{false};  ///< whether they are within the wanted gap
+  Way way;                ///< to it, by which at most (1 + gap) of what is needed now is needed
+};
+
+/// Of the connected set of postures around `from` (unit vector, object frame) that need no more
+/// than it, the one that needs least. `towards`: where to look first, the best posture of all.
+/// @throws InvalidGrasp as least_peak_way()
+Reachable best_reachable(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& towards,
+                         const TurnSettings& settings = {});
 
 }  // namespace poise

@@ -32,21 +32,6 @@ constexpr double same_effort = 1e-9;
 /// Postures this far around [rad] tell whether one is inside what can be held.
 constexpr double around = 1e-6;
 
-void check(const SpatialSettings& settings) {
-  if (!(settings.gap > 0) || !(settings.gap < 1))
-    throw InvalidGrasp("gap", "must be above 0 and below 1");
-  if (settings.max_holds < 1) throw InvalidGrasp("max_holds", "must be at least 1");
-  if (settings.starts < 0) throw InvalidGrasp("starts", "must be at least 0");
-  if (!(settings.force_cap > 0) || !(settings.force_cap <= 1e9))
-    throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
-  if (settings.tilt) {
-    if (!(std::abs(settings.tilt->from.squaredNorm() - 1) <= 1e-6))
-      throw InvalidGrasp("tilt.from", "must be a unit vector");
-    if (!(settings.tilt->most >= 0) || !(settings.tilt->most <= pi / 2 + 1e-12))
-      throw InvalidGrasp("tilt.most", "must be at least 0 and at most 90 degrees");
-  }
-}
-
 bool only_max_normal(const Grasp<3>& grasp) {
   bool any = false;
   for (const Contact<3>& contact : grasp.contacts()) {
@@ -187,7 +172,8 @@ void classify(const Task& task, Best<3>& best) {
 }  // namespace
 
 Best<3> best_posture(const Grasp<3>& grasp, const SpatialSettings& settings) {
-  check(settings);
+  search::check_search(settings);
+  if (settings.starts < 0) throw InvalidGrasp("starts", "must be at least 0");
   Task task{grasp, settings, scaled_loads(grasp, grasp.scaled(), settings.force_cap), {}};
   if (settings.tilt) task.domain.push_back({settings.tilt->from.normalized(), settings.tilt->most});
   Best<3> best;

@@ -116,10 +116,12 @@ Oracle::Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads, Obje
     cap = std::max(cap, loads[s].cap * loads[s].weight);
     if (loads[s].weight == 1) heaviest_ = s;
   }
-  is_gauge = is_gauge && !is_fixed;
+  is_gauge = scales = is_gauge && !is_fixed;
   most = cap * cap;
   if (is_grip() || grasp.is_general()) {
     is_gauge = false;
+    for (const auto& drive : grasp.driven().drives)
+      scales = scales && (is_grip() || !std::isfinite(drive.max));
     if (is_grip()) unit = scaled_grip(grasp, grasp.weight());
     if (is_grip()) most = std::min(most, std::pow(most_grip(grasp) / unit, 2));
     for (const Load<3>& load : grasp.loads())
@@ -321,6 +323,23 @@ double Oracle::offset(const HalfSpace& half_space, double t) const {
   const double times = stretch(half_space, half);
   const double rounding = (dual::delta + 1e-15) * dual::dual_norm<3, double>(half_space.y);
   return (half / times + times * half_space.phi + rounding) / half_space.speed;
+}
+
+double Oracle::value_proven(const HalfSpace& half_space, double along) const {
+  if (half_space.origin == HalfSpace::Origin::domain) return along > 0 ? infinity : 0;
+  const double rounding = (dual::delta + 1e-15) * dual::dual_norm<3, double>(half_space.y);
+  const double power = half_space.speed * along - rounding;
+  double value = 0;
+  if (is_grip()) {
+    if (power > half_space.phi) value = std::pow((power - half_space.phi) / half_space.rate_sum, 2);
+  } else {
+    const double unit = loads_[half_space.load].unit;
+    if (!is_gauge)
+      value = 2 * unit * (power - half_space.phi);
+    else if (power > 0)  // y may be as long as stretch() makes it
+      value = unit * power * power / (2 * half_space.phi);
+  }
+  return value > most ? infinity : std::max(value, 0.0);
 }
 
 HalfSpace Oracle::adopted(const HalfSpace& known) const {

@@ -106,6 +106,9 @@ class Oracle {
   /// The half-space is right in any case.
   Answer evaluate(const Vector<3>& x, const Aim& aim);
   double offset(const HalfSpace& half_space, double t) const;
+  /// The least value that the half-space leaves to x with normal . x = along; infinite where it
+  /// proves that they are unholdable.
+  double value_proven(const HalfSpace& half_space, double along) const;
   /// All x whose value is at most t have no greater coordinates, if this is finite.
   double half_width(double t) const;
   /// A half-space that another oracle found for the same loads, with the limits of this one.
@@ -118,6 +121,7 @@ class Oracle {
   Cut side_of_cube(int side, double t) const;
 
   bool is_gauge;    ///< whether the root of the value is one: value(s x) = s^2 value(x)
+  bool scales;      ///< whether it is, as far as the value is at most `most`
   double least{0};  ///< no unit vector has a lower value: forces add up to the weight
   double most{0};   ///< greater values count as unholdable
   double unit;      ///< the root of a value of 1 [N, or as grip is told]

@@ -2,9 +2,27 @@
 // body". And what they prove. Not installed.
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 #include "space/search_state.hpp"
 
 namespace poise::search {
+
+/// @throws InvalidGrasp for settings of a search out of their ranges
+template <class Settings>
+void check_search(const Settings& settings) {
+  if (!(settings.gap > 0) || !(settings.gap < 1))
+    throw InvalidGrasp("gap", "must be above 0 and below 1");
+  if (settings.max_holds < 1) throw InvalidGrasp("max_holds", "must be at least 1");
+  if (!(settings.force_cap > 0) || !(settings.force_cap <= 1e9))
+    throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
+  if (!settings.tilt) return;
+  if (!(std::abs(settings.tilt->from.squaredNorm() - 1) <= 1e-6))
+    throw InvalidGrasp("tilt.from", "must be a unit vector");
+  if (!(settings.tilt->most >= 0) || !(settings.tilt->most <= std::numbers::pi / 2 + 1e-12))
+    throw InvalidGrasp("tilt.most", "must be at least 0 and at most 90 degrees");
+}
 
 /// Where the root of the value is a gauge: the posture is the direction of the point of the
 /// sublevel set {x : value(x) <= 1} farthest from the origin. Cuts off the farthest vertex of the

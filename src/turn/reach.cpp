@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+
+#include "space/local_minima.hpp"
+#include "space/search.hpp"
+#include "turn/levels.hpp"
+#include "turn/way.hpp"
+
+namespace poise {
+namespace turns {
+namespace {
+
+/// The search for the lowest posture that is connected to where it is now by postures that need no
+/// more.
+class ReachSearch {
+ public:
+  ReachSearch(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& towards,
+              const TurnSettings& settings)
+      : settings_(settings), values_(grasp, settings) {
+    if (!values_.is_in_domain(from)) values_.forget_domain();
+    now_ = values_.at(from);
+    towards_ = towards;
+    gap_ = values_.gap_of_p(settings.gap);
+    most_ = now_.p / (1 - gap_);
+  }
+
+  Reachable find() {
+    best_ = now_.x;
+    best_p_ = now_.p;
+    ups_ = {now_.x};
+    if (now_.holdable()) search();
+    return result();
+  }
+
+ private:
+  bool is_done() const { return best_p_ - proven_ <= gap_ * best_p_; }
+
+  void search() {
+    Mesh mesh(values_, now_.x, towards_);
+    while (values_.holds() < settings_.max_holds) {
+      const Levels reached = levels_reached(mesh, 0);
+      lowest_corner_ = 0;
+      for (std::size_t k = 0; k < mesh.corners().size(); ++k)
+        if (reached.p[k] <= most_ && mesh.corners()[k].p < mesh.corner(lowest_corner_).p)
+          lowest_corner_ = static_cast<int>(k);
+      best_p_ = mesh.corner(lowest_corner_).p;
+      best_ = mesh.corner(lowest_corner_).x;
+      ups_.clear();
+      for (const int k : reached.way(lowest_corner_)) ups_.push_back(mesh.corner(k).x);
+      const int lowest = lowest_triangle(mesh);
+      proven_ = std::min(best_p_, mesh.triangle(lowest).least);
+      if (is_done()) break;
+      const auto& corners = mesh.triangle(lowest).corners;
+      const auto doubtful =
+          doubtful_on_way(mesh, 0, {corners.begin(), corners.end()}, most_);
+      if (!refine(mesh, doubtful.empty() ? std::vector<int>{lowest} : doubtful)) break;
+    }
+    if (ups_.size() > 1) ups_ = fewest_steps(values_, ups_, most_);
+  }
+
+  /// The triangle that may need least among those that may be reached.
+  int lowest_triangle(const Mesh& mesh) const {
+    const Levels levels = levels_proven(mesh, 0, std::nextafter(now_.p, infinity));
+    int lowest = -1;
+    for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
+      const Triangle& triangle = mesh.triangles()[t];
+      if (!(levels.to(triangle.corners[0]) <= now_.p) || triangle.least > now_.p) continue;
+      if (lowest < 0 || triangle.least < mesh.triangle(lowest).least) lowest = static_cast<int>(t);
+    }
+    return lowest;
+  }
+
+  Reachable result() {
+    Reachable found{best_, values_.value(best_p_), values_.value(proven_), is_done(), {}};
+    found.way.ups = ups_;
+    found.way.lower_bound = values_.value(now_.p);
+    found.way.peak = ups_.size() > 1 ? values_.value(peak_along(values_, ups_, gap_ / 8).most)
+                                     : values_.value(now_.p);
+    found.way.status = Status::optimal;
+    found.way.holds = values_.holds();
+    return found;
+  }
+
+  const TurnSettings& settings_;
+  Values values_;
+  Valued now_;
+  Vector<3> towards_, best_;
+  double gap_{0}, most_{0}, best_p_{0}, proven_{0};
+  int lowest_corner_{0};
+  std::vector<Vector<3>> ups_;
+};
+
+}  // namespace
+}  // namespace turns
+
+Reachable best_reachable(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& towards,
+                         const TurnSettings& settings) {
+  search::check_search(settings);
+  turns::check_unit("from", from);
+  turns::check_unit("towards", towards);
+  return turns::ReachSearch(grasp, from.normalized(), towards.normalized(), settings).find();
+}
+
+}  // namespace poise
