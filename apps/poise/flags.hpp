@@ -59,7 +59,9 @@ class Flags {
   void domain(Question& question);
   void objective(Question& question);
   void force_cap(Question& question);
-  void search(Question& question);  ///< domain, force cap, gap, holds: those of the best posture
+  /// Domain, objective, force cap, gap, holds: of the best posture, or of turns, with their defaults.
+  void search(Question& question);
+  void turned(Question& question);  ///< tilt, orientation
 
   /// @throws UsageError
   void read() const;

@@ -108,18 +108,34 @@ Way least_peak_way(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>
                    const TurnSettings& settings = {});
 
 /// The best posture among those that can be reached without ever needing more than now.
-struct Reachable {
-  Vector<3> up;           ///< unit vector, object frame
-  double value{0};        ///< V [N^2] or F there
-  double lower_bound{0};  ///< no posture that can be reached needs less
-  bool is_proven{false};  ///< whether they are within the wanted gap
-  Way way;                ///< to it, by which at most (1 + gap) of what is needed now is needed
+template <int Dim>
+struct Reachable;
+template <>
+struct Reachable<2> {
+  Posture<2> posture;
+  double angle{0};  ///< how far to turn there [rad], counter-clockwise positive
+  /// How far the connected stretch of postures goes that need no more than now, clockwise (at most
+  /// 0) and counter-clockwise [rad]; a whole turn where there is no end.
+  double least_angle{0}, most_angle{0};
+};
+template <>
+struct Reachable<3> {
+  Posture<3> posture;
+  double lower_bound{0};  ///< V [N^2] or F: no posture that can be reached needs less
+  /// To it, by which at most 1 / (1 - gap) of what is needed now is needed. optimal: the posture is
+  /// within the wanted gap of the bound.
+  Way way;
 };
 
-/// Of the connected set of postures around `from` (unit vector, object frame) that need no more
-/// than it, the one that needs least. `towards`: where to look first, the best posture of all.
-/// @throws InvalidGrasp as least_peak_way()
-Reachable best_reachable(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& towards,
-                         const TurnSettings& settings = {});
+/// Of the connected postures around `from` [rad] that need no more than it, and lie in the domain
+/// if it does, the one that needs least; of ties the least turn. `from` must be holdable.
+/// @throws InvalidGrasp as posture_curve(), and where `from` cannot be held
+Reachable<2> best_reachable(const Grasp<2>& grasp, double from, const CurveSettings& settings = {});
+
+/// The same in space. `towards` (unit vector, object frame): the best posture of all, where to look
+/// first.
+/// @throws InvalidGrasp as least_peak_way(), and where `from` cannot be held
+Reachable<3> best_reachable(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& towards,
+                            const TurnSettings& settings = {});
 
 }  // namespace poise

@@ -9,6 +9,7 @@
 
 #include "poise/best_posture.hpp"
 #include "poise/capacity.hpp"
+#include "poise/turn.hpp"
 
 namespace poise {
 
@@ -35,6 +36,40 @@ struct HoldAnswer {
   std::optional<double> angle{};
 };
 
+/// What a turn takes.
+template <int Dim>
+struct TurnTaken;
+template <>
+struct TurnTaken<2> {
+  TurnPeak<2> straight;                  ///< the shorter way round
+  std::optional<TurnPeak<2>> other{};  ///< the other one, where it stays in the domain
+};
+template <>
+struct TurnTaken<3> {
+  Turn turn;              ///< the straight one
+  TurnPeak<3> straight;
+  std::optional<Way> way{};  ///< that of least peak, where both ends are held
+};
+
+/// A turn to a posture that was asked for.
+template <int Dim>
+struct TurnAnswer;
+template <>
+struct TurnAnswer<2> {
+  PostureOption option;
+  CurveSettings settings;
+  Posture<2> now, then;
+  TurnTaken<2> taken;
+};
+template <>
+struct TurnAnswer<3> {
+  PostureOption option;
+  TurnSettings settings;
+  Eigen::Quaterniond orientation{Eigen::Quaterniond::Identity()};  ///< the present one
+  Posture<3> now, then;
+  TurnTaken<3> taken;
+};
+
 template <int Dim>
 struct BestAnswer;
 template <>
@@ -42,6 +77,8 @@ struct BestAnswer<2> {
   CurveSettings settings;
   Best<2> best;
   std::optional<Posture<2>> now{};  ///< as it is held now, where the file says so
+  std::optional<TurnTaken<2>> turn{};         ///< from the present posture, or upright, to the best
+  std::optional<Reachable<2>> within_reach{};  ///< where the best is not, without pressing harder
   /// Where nothing in the domain holds: a posture of it, to show why.
   std::optional<Posture<2>> unholdable{};
   std::optional<Posture<2>>
@@ -52,6 +89,8 @@ struct BestAnswer<3> {
   SpatialSettings settings;
   Best<3> best;
   std::optional<Posture<3>> now{};         ///< as it is held now, where somebody said so
+  std::optional<TurnTaken<3>> turn{};         ///< from the present posture, or upright, to the best
+  std::optional<Reachable<3>> within_reach{};  ///< where the best is not, without pressing harder
   std::optional<Posture<3>> unholdable{};  ///< where proven: a posture of the domain, to show why
   std::optional<Posture<3>>
       without_max{};  ///< then the best, where max_normal or a drive's max forbids it
@@ -85,11 +124,13 @@ template <int Dim>
 struct AnswerTo;
 template <>
 struct AnswerTo<2> {
-  std::variant<CheckAnswer<2>, HoldAnswer<2>, BestAnswer<2>, CurveAnswer, CapacityAnswer<2>> of;
+  std::variant<CheckAnswer<2>, HoldAnswer<2>, BestAnswer<2>, TurnAnswer<2>, CurveAnswer,
+               CapacityAnswer<2>>
+      of;
 };
 template <>
 struct AnswerTo<3> {
-  std::variant<CheckAnswer<3>, HoldAnswer<3>, BestAnswer<3>, CapacityAnswer<3>> of;
+  std::variant<CheckAnswer<3>, HoldAnswer<3>, BestAnswer<3>, TurnAnswer<3>, CapacityAnswer<3>> of;
 };
 
 }  // namespace poise

@@ -14,6 +14,9 @@
 namespace poise {
 namespace {
 
+/// A peak that is above what is needed now by no more than this part is no harder press.
+constexpr double same_peak = 1e-9;
+
 bool posture_given(const Question& question) { return question.angle_deg || !question.up.empty(); }
 
 /// theta, where it is told as an angle.
@@ -22,16 +25,26 @@ std::optional<double> angle(const PlanarFile& file, const Question& question) {
   return question.angle_deg ? radians(*question.angle_deg) : file.angle.value_or(0);
 }
 
+/// The option by which a posture was given.
+const char* posture_option(const Question& question) {
+  if (question.command == Command::turn) return "to";
+  return question.angle_deg ? "angle" : "up";
+}
+
 /// The posture that was given.
 Vector<2> given_up(const PlanarFile& file, const Question& question) {
-  if (question.up.size() == 3) throw Misfit("up", "has 3 numbers, must have 2:", 2);
+  if (question.up.size() == 3)
+    throw Misfit(posture_option(question), "has 3 numbers, must have 2:", 2);
   if (question.up.empty()) return up_at(*angle(file, question));
   return Vector<2>(question.up.data()).stableNormalized();
 }
 
 Vector<3> given_up(const SpatialFile&, const Question& question) {
-  if (question.angle_deg) throw Misfit("angle", "is for the plane,", 3);
-  if (question.up.size() == 2) throw Misfit("up", "has 2 numbers, must have 3:", 3);
+  const char* const option = posture_option(question);
+  if (question.angle_deg)
+    throw Misfit(option, option == std::string("to") ? "has 1 number, must have 3:"
+                                                     : "is for the plane,", 3);
+  if (question.up.size() == 2) throw Misfit(option, "has 2 numbers, must have 3:", 3);
   return Vector<3>(question.up.data()).stableNormalized();
 }
 
@@ -90,6 +103,15 @@ SpatialSettings spatial_settings(const SpatialFile& file, const Question& questi
   return settings;
 }
 
+Eigen::Quaterniond present_orientation(const SpatialFile& file, const Question& question) {
+  if (question.orientation) return *question.orientation;
+  return file.up ? orientation_of(*file.up) : Eigen::Quaterniond::Identity();
+}
+
+TurnSettings turn_settings(const SpatialSettings& settings) {
+  return {.objective = settings.objective, .force_cap = settings.force_cap, .tilt = settings.tilt};
+}
+
 CheckAnswer<2> check(const PlanarFile&, const Grasp<2>& grasp) {
   return {force_closure(grasp), fork_wedge(grasp, grasp.loads().front().com)};
 }
@@ -139,17 +161,61 @@ std::optional<Posture<Dim>> best_without_max(const Grasp<Dim>& grasp, Settings s
   return best.holdable() ? std::optional<Posture<Dim>>(best.best()) : std::nullopt;
 }
 
-BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question& question) {
+/// Refuses what is for space.
+void refuse_spatial(const Question& question) {
   for (const auto& [given, option] : {std::pair(question.gap.has_value(), "gap"),
                                       {question.max_holds.has_value(), "max-holds"},
                                       {question.tilt_from.has_value(), "tilt-from"},
                                       {question.tilt_max_deg.has_value(), "tilt-max"},
                                       {question.orientation.has_value(), "orientation"}})
     if (given) throw Misfit(option, "is for space,", 2);
+}
+
+TurnTaken<2> taken(const Grasp<2>& grasp, double from, double to, const CurveSettings& settings) {
+  TurnTaken<2> result;
+  std::vector<TurnPeak<2>> ways = ways_round(grasp, from, to, settings);
+  if (ways.empty()) {
+    result.straight = turn_peak(grasp, from, 0, settings);
+    return result;
+  }
+  const bool is_other_first =
+      ways.size() == 2 && std::abs(ways[1].angle) < std::abs(ways[0].angle);
+  if (is_other_first) std::swap(ways[0], ways[1]);
+  result.straight = std::move(ways[0]);
+  if (ways.size() == 2) result.other = std::move(ways[1]);
+  return result;
+}
+
+TurnTaken<3> taken(const Grasp<3>& grasp, const Eigen::Quaterniond& from, const Posture<3>& now,
+                   const Posture<3>& then, const TurnSettings& settings) {
+  TurnTaken<3> result{turn_to(from, then.up), turn_peak(grasp, from, then.up, settings)};
+  if (now.holdable() && then.holdable())
+    result.way = least_peak_way(grasp, now.up, then.up, settings);
+  return result;
+}
+
+/// The least that a way to the posture needs.
+double peak(const TurnTaken<2>& taken) {
+  return taken.other ? std::min(taken.straight.peak, taken.other->peak) : taken.straight.peak;
+}
+double peak(const TurnTaken<3>& taken) {
+  return taken.way ? std::min(taken.straight.peak, taken.way->peak) : taken.straight.peak;
+}
+
+BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question& question) {
+  refuse_spatial(question);
   const CurveSettings settings = curve_settings(file, question);
   BestAnswer<2> answer{settings, best_posture(grasp, settings)};
   if (file.angle)
     answer.now = posture_at(grasp, up_at(*file.angle), {settings.force_cap, settings.objective});
+  if (answer.best.holdable() && question.with_turn) {
+    const double from = file.angle.value_or(0);
+    const HoldSettings of_hold{settings.force_cap, settings.objective};
+    const Posture<2> start = answer.now ? *answer.now : posture_at(grasp, up_at(from), of_hold);
+    answer.turn = taken(grasp, from, answer.best.best().optimum.angle, settings);
+    if (start.holdable() && !(peak(*answer.turn) <= start.value() * (1 + same_peak)))
+      answer.within_reach = best_reachable(grasp, from, settings);
+  }
   if (!answer.best.holdable()) {
     answer.unholdable = example_of(grasp, settings);
     answer.without_max = best_without_max(grasp, settings);
@@ -177,23 +243,67 @@ void consider(Best<3>& best, const Posture<3>& now, const SpatialSettings& setti
   best.status = best.relative_gap <= settings.gap ? Status::optimal : Status::gap;
 }
 
-BestAnswer<3> best(const SpatialFile& file, const Grasp<3>& grasp, const Question& question) {
+/// Refuses what is for the plane.
+void refuse_planar(const Question& question) {
   if (question.domain.value_or(Domain::all) == Domain::pinching_up)
     throw Misfit("domain", "pinching-up is for the plane,", 3);
+}
+
+BestAnswer<3> best(const SpatialFile& file, const Grasp<3>& grasp, const Question& question) {
+  refuse_planar(question);
   const SpatialSettings settings = spatial_settings(file, question, grasp.is_general());
   BestAnswer<3> answer{settings, best_posture(grasp, settings)};
-  answer.orientation = question.orientation ? *question.orientation
-                       : file.up            ? orientation_of(*file.up)
-                                            : Eigen::Quaterniond::Identity();
+  answer.orientation = present_orientation(file, question);
   const Vector<3> now = answer.orientation.conjugate() * Vector<3>::UnitZ();
   if (question.orientation || file.up)
     answer.now = posture_at(grasp, now, {settings.force_cap, settings.objective});
   if (answer.now) consider(answer.best, *answer.now, settings);
+  if (answer.best.holdable() && question.with_turn) {
+    const TurnSettings of_turn = turn_settings(settings);
+    const Posture<3> start =
+        answer.now ? *answer.now
+                   : posture_at(grasp, now, {settings.force_cap, settings.objective});
+    const Posture<3>& then = answer.best.best();
+    answer.turn = taken(grasp, answer.orientation, start, then, of_turn);
+    const double most = start.value() / (1 - of_turn.gap);
+    if (start.holdable() && !(peak(*answer.turn) <= most))
+      answer.within_reach = best_reachable(grasp, now, then.up, of_turn);
+  }
   if (answer.best.status == Status::unholdable) {
     answer.unholdable = posture_at(grasp, settings.tilt ? settings.tilt->from : now,
                                    {settings.force_cap, settings.objective});
     answer.without_max = best_without_max(grasp, settings);
   }
+  return answer;
+}
+
+TurnAnswer<2> turn(const PlanarFile& file, const Grasp<2>& grasp, const Question& question) {
+  if (!posture_given(question)) throw Misfit("to", "is needed: a posture to turn to, for", 2);
+  refuse_spatial(question);
+  const CurveSettings settings = curve_settings(file, question);
+  const Vector<2> up = given_up(file, question);
+  const double from = file.angle.value_or(0);
+  const double to = question.angle_deg ? radians(*question.angle_deg) : angle_of(up);
+  const HoldSettings of_hold{settings.force_cap, settings.objective};
+  return {option_of(question), settings, posture_at(grasp, up_at(from), of_hold),
+          posture_at(grasp, up, of_hold), taken(grasp, from, to, settings)};
+}
+
+TurnAnswer<3> turn(const SpatialFile& file, const Grasp<3>& grasp, const Question& question) {
+  if (!posture_given(question)) throw Misfit("to", "is needed: a posture to turn to, for", 3);
+  refuse_planar(question);
+  TurnSettings settings{.objective = question.objective.value_or(file.objective),
+                        .force_cap = question.force_cap,
+                        .tilt = tilt_of(file, question)};
+  settings.gap = question.gap.value_or(settings.gap);
+  settings.max_holds = question.max_holds.value_or(settings.max_holds);
+  const Eigen::Quaterniond orientation = present_orientation(file, question);
+  const HoldSettings of_hold{settings.force_cap, settings.objective};
+  const Vector<3> from = orientation.conjugate() * Vector<3>::UnitZ();
+  TurnAnswer<3> answer{option_of(question), settings, orientation,
+                       posture_at(grasp, from, of_hold),
+                       posture_at(grasp, given_up(file, question), of_hold), {}};
+  answer.taken = taken(grasp, orientation, answer.now, answer.then, settings);
   return answer;
 }
 
@@ -264,6 +374,8 @@ AnswerTo<Dim> answer_to(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
       return {hold_in_posture(file, grasp, question)};
     case Command::best:
       return {best(file, grasp, question)};
+    case Command::turn:
+      return {turn(file, grasp, question)};
     case Command::curve:
       if constexpr (Dim == 2)
         return {curve(file, grasp, question)};
@@ -298,6 +410,7 @@ bool holdable(const AnswerTo<Dim>& answer) {
       Overloaded{[](const CheckAnswer<Dim>&) { return true; },
                  [](const HoldAnswer<Dim>& hold) { return hold.posture.holdable(); },
                  [](const BestAnswer<Dim>& best) { return best.best.holdable(); },
+                 [](const TurnAnswer<Dim>& turn) { return std::isfinite(peak(turn.taken)); },
                  [](const CurveAnswer& curve) { return !curve.curve.holdable.empty(); },
                  [](const CapacityAnswer<Dim>& capacity) {
                    std::map<std::string, bool> held;  // in which posture against all loads
@@ -318,6 +431,11 @@ bool proven(const AnswerTo<Dim>& answer) {
                  [](const HoldAnswer<Dim>& hold) { return hold.posture.hold().proven; },
                  [](const BestAnswer<2>& best) { return best.best.proof.curve.undecided.empty(); },
                  [](const BestAnswer<3>& best) { return best.best.status != Status::gap; },
+                 [](const TurnAnswer<2>&) { return true; },
+                 [](const TurnAnswer<3>& turn) {
+                   const std::optional<Way>& way = turn.taken.way;
+                   return !way || way->status != Status::gap;
+                 },
                  [](const CurveAnswer& curve) { return curve.curve.undecided.empty(); },
                  [](const CapacityAnswer<Dim>& capacity) {
                    const auto open = [](const CapacityAt<Dim>& each) {

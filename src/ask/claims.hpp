@@ -11,6 +11,7 @@
 
 #include "poise/best_posture.hpp"
 #include "poise/capacity.hpp"
+#include "poise/turn.hpp"
 
 namespace poise {
 
@@ -222,6 +223,117 @@ struct OptionsClaim {
   }
 };
 
+/// A posture of a turn.
+template <int Dim>
+struct TurnPostureClaim : HoldClaim<Dim> {
+  double turn_deg{0};  ///< so far from the start
+
+  void fields(auto& visit) {
+    visit("turn_deg", turn_deg);
+    HoldClaim<Dim>::fields(visit);
+  }
+};
+
+/// Postures of a turn that cannot be held, with one of them.
+template <int Dim>
+struct StretchClaim {
+  double from_deg{0}, to_deg{0};
+  TurnPostureClaim<Dim> posture{};
+
+  void fields(auto& visit) {
+    visit("from_deg", from_deg, "to_deg", to_deg, "posture", posture);
+  }
+};
+
+/// What a turn takes; null where a posture of it cannot be held.
+template <int Dim>
+struct PeakClaim {
+  double turn_deg{0};  ///< of the whole turn; in the plane counter-clockwise positive
+  std::optional<double> peak{}, lower_bound{};
+  std::optional<TurnPostureClaim<Dim>> peak_at{};
+  std::vector<StretchClaim<Dim>> unholdable{};
+
+  void fields(auto& visit) {
+    visit("turn_deg", turn_deg, "peak", peak, "lower_bound", lower_bound, "peak_at", peak_at);
+    visit("unholdable", unholdable);
+  }
+};
+
+/// A part of a wall.
+struct WallClaim {
+  Vector<3> up;
+  Cut cut{};
+
+  void fields(auto& visit) {
+    visit("up", up);
+    poise::fields(cut, visit);
+  }
+};
+
+/// The way of least peak, and the wall that proves it.
+struct WayClaim {
+  Status status{};
+  std::optional<double> peak{}, lower_bound{};
+  std::vector<RotationClaim> orientations{};
+  std::vector<WallClaim> wall{};
+  int holds{0};
+
+  void fields(auto& visit) {
+    visit("status", status, "peak", peak, "lower_bound", lower_bound);
+    visit("orientations", orientations, "wall", wall, "holds", holds);
+  }
+};
+
+/// The turn from the present posture to another.
+template <int Dim>
+struct TurnClaim;
+template <>
+struct TurnClaim<2> : PeakClaim<2> {
+  std::optional<PeakClaim<2>> other_way{};
+
+  void fields(auto& visit) {
+    PeakClaim<2>::fields(visit);
+    visit("other_way", other_way);
+  }
+};
+template <>
+struct TurnClaim<3> : PeakClaim<3> {
+  RotationClaim rotation{}, orientation{};  ///< the turn, and what it leads to; world frame
+  std::optional<WayClaim> way{};            ///< where both ends are held
+
+  void fields(auto& visit) {
+    visit("rotation", rotation, "orientation", orientation);
+    PeakClaim<3>::fields(visit);
+    visit("way", way);
+  }
+};
+
+/// The best posture that can be reached without pressing harder than now.
+template <int Dim>
+struct ReachableClaim;
+template <>
+struct ReachableClaim<2> : TurnPostureClaim<2> {
+  double least_turn_deg{0}, most_turn_deg{0};  ///< how far no posture needs more
+
+  void fields(auto& visit) {
+    visit("least_turn_deg", least_turn_deg, "most_turn_deg", most_turn_deg);
+    TurnPostureClaim<2>::fields(visit);
+  }
+};
+template <>
+struct ReachableClaim<3> : HoldClaim<3> {
+  Status status{};
+  double reachable_bound{0}, peak{0};
+  std::vector<RotationClaim> orientations{};
+  int holds{0};
+
+  void fields(auto& visit) {
+    visit("status", status, "reachable_bound", reachable_bound, "peak", peak);
+    visit("orientations", orientations, "holds", holds);
+    HoldClaim<3>::fields(visit);
+  }
+};
+
 template <int Dim>
 struct HoldDocument : HoldClaim<Dim> {
   static constexpr const char* command = "hold";
@@ -249,8 +361,10 @@ struct BestDocument {
   // In space.
   bool minima_complete{false};
   int holds{0};
-  std::optional<RotationClaim> rotation{}, orientation{};
   std::vector<Cut> cuts{};
+  /// From the present posture to the best; nothing where that was not asked.
+  std::optional<TurnClaim<Dim>> turn{};
+  std::optional<ReachableClaim<Dim>> without_pressing_harder{};  ///< where the best is not
 
   void fields(auto& visit) {
     visit("options", options, "status", status, "best", best, "best_pinched", best_pinched);
@@ -258,11 +372,21 @@ struct BestDocument {
     if constexpr (Dim == 2) visit("worst", worst);
     if constexpr (Dim == 3) visit("minima_complete", minima_complete);
     visit("lower_bound", lower_bound, "relative_gap", relative_gap);
-    if constexpr (Dim == 3)
-      return visit("holds", holds, "orientation", orientation, "rotation", rotation, "cuts", cuts);
+    visit("turn", turn, "without_pressing_harder", without_pressing_harder);
+    if constexpr (Dim == 3) return visit("holds", holds, "cuts", cuts);
     visit("arcs", arcs, "unholdable_arcs", unholdable_arcs);
     visit("holdable_arcs_deg", holdable_arcs_deg);
   }
+};
+
+template <int Dim>
+struct TurnDocument {
+  static constexpr const char* command = "turn";
+  OptionsClaim options{};
+  HoldClaim<Dim> now{}, then{};
+  TurnClaim<Dim> turn{};
+
+  void fields(auto& visit) { visit("options", options, "now", now, "then", then, "turn", turn); }
 };
 
 struct CurveDocument {

@@ -165,7 +165,63 @@ std::vector<ArcClaim> arc_claims(const PostureCurve& curve, std::size_t contacts
   return claims;
 }
 
+template <int Dim>
+TurnPostureClaim<Dim> turn_posture_claim(const Grasp<Dim>& grasp, const Posture<Dim>& posture,
+                                         double turn) {
+  return {hold_claim(grasp, posture), degrees(turn)};
+}
+
+template <int Dim>
+PeakClaim<Dim> peak_claim(const Grasp<Dim>& grasp, const TurnPeak<Dim>& peak) {
+  PeakClaim<Dim> claim{.turn_deg = degrees(peak.angle)};
+  for (const UnholdableStretch<Dim>& stretch : peak.unholdable)
+    claim.unholdable.push_back({degrees(stretch.from), degrees(stretch.to),
+                                turn_posture_claim(grasp, stretch.posture, stretch.at)});
+  claim.peak = finite(peak.peak);
+  claim.lower_bound = finite(peak.lower_bound);
+  if (claim.peak) claim.peak_at = turn_posture_claim(grasp, peak.posture, peak.at);
+  return claim;
+}
+
 RotationClaim rotation_claim(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+/// Of a way from the present orientation: the one that each of its postures leads to.
+std::vector<RotationClaim> orientation_claims(const Eigen::Quaterniond& start,
+                                              const std::vector<Vector<3>>& ups) {
+  std::vector<RotationClaim> claims;
+  Eigen::Quaterniond orientation = start;
+  for (const Vector<3>& up : ups) {
+    orientation = turn_to(orientation, up).orientation;
+    claims.push_back(rotation_claim(orientation));
+  }
+  return claims;
+}
+
+WayClaim way_claim(const Eigen::Quaterniond& start, const Way& way) {
+  WayClaim claim{.status = way.status,
+                 .peak = finite(way.peak),
+                 .lower_bound = finite(way.lower_bound),
+                 .orientations = orientation_claims(start, way.ups),
+                 .holds = way.holds};
+  for (const WallPart& part : way.wall) claim.wall.push_back({part.up, part.cut});
+  return claim;
+}
+
+TurnClaim<2> turn_claim(const Grasp<2>& grasp, const TurnTaken<2>& taken) {
+  TurnClaim<2> claim{peak_claim(grasp, taken.straight)};
+  if (taken.other) claim.other_way = peak_claim(grasp, *taken.other);
+  return claim;
+}
+
+TurnClaim<3> turn_claim(const Grasp<3>& grasp, const TurnTaken<3>& taken,
+                        const Eigen::Quaterniond& start) {
+  TurnClaim<3> claim{peak_claim(grasp, taken.straight)};
+  claim.rotation = rotation_claim(taken.turn.rotation);
+  claim.rotation.angle_deg = degrees(taken.turn.angle);
+  claim.orientation = rotation_claim(taken.turn.orientation);
+  if (taken.way) claim.way = way_claim(start, *taken.way);
+  return claim;
+}
 
 OptionsClaim options_claim(const CurveSettings& settings) {
   return {.domain = settings.domain,
@@ -177,6 +233,10 @@ OptionsClaim options_claim(const CurveSettings& settings) {
 void add_proof(BestDocument<2>& claim, const Grasp<2>& grasp, const BestAnswer<2>& answer) {
   const Proof<2>& proof = answer.best.proof;
   claim.options = options_claim(answer.settings);
+  if (answer.turn) claim.turn = turn_claim(grasp, *answer.turn);
+  if (const auto& near = answer.within_reach)
+    claim.without_pressing_harder = {turn_posture_claim(grasp, near->posture, near->angle),
+                                     degrees(near->least_angle), degrees(near->most_angle)};
   if (answer.best.holdable()) claim.lower_bound = answer.best.lower_bound;
   if (proof.worst) claim.worst = minimum_claim(grasp, *proof.worst);
   claim.arcs = arc_claims(proof.curve, grasp.contacts().size());
@@ -184,7 +244,7 @@ void add_proof(BestDocument<2>& claim, const Grasp<2>& grasp, const BestAnswer<2
   claim.holdable_arcs_deg = proof.curve.holdable;
 }
 
-void add_proof(BestDocument<3>& claim, const Grasp<3>& /*grasp*/, const BestAnswer<3>& answer) {
+void add_proof(BestDocument<3>& claim, const Grasp<3>& grasp, const BestAnswer<3>& answer) {
   const SpatialSettings& settings = answer.settings;
   claim.options = {.domain = Domain::all,
                    .force_cap = settings.force_cap,
@@ -196,11 +256,14 @@ void add_proof(BestDocument<3>& claim, const Grasp<3>& /*grasp*/, const BestAnsw
   if (answer.best.status != Status::unholdable) claim.lower_bound = answer.best.lower_bound;
   claim.holds = answer.best.proof.holds;
   claim.cuts = answer.best.proof.cuts;
-  if (!answer.best.holdable()) return;
-  const Turn turn = turn_to(answer.orientation, answer.best.best().up);
-  claim.rotation = rotation_claim(turn.rotation);
-  claim.rotation->angle_deg = degrees(turn.angle);
-  claim.orientation = rotation_claim(turn.orientation);
+  if (answer.turn) claim.turn = turn_claim(grasp, *answer.turn, answer.orientation);
+  if (const auto& near = answer.within_reach)
+    claim.without_pressing_harder = {hold_claim(grasp, near->posture),
+                                     near->way.status,
+                                     near->lower_bound,
+                                     near->way.peak,
+                                     orientation_claims(answer.orientation, near->way.ups),
+                                     near->way.holds};
 }
 
 template <int Dim>
@@ -356,6 +419,30 @@ BestDocument<Dim> claims_of(const Grasp<Dim>& grasp, const BestAnswer<Dim>& answ
   return claim;
 }
 
+TurnDocument<2> claims_of(const Grasp<2>& grasp, const TurnAnswer<2>& answer) {
+  TurnDocument<2> claim{options_claim(answer.settings), hold_claim(grasp, answer.now),
+                        hold_claim(grasp, answer.then), turn_claim(grasp, answer.taken)};
+  claim.options.angle_deg = answer.option.angle_deg;
+  if (!answer.option.up.empty()) claim.options.up = answer.option.up;
+  return claim;
+}
+
+TurnDocument<3> claims_of(const Grasp<3>& grasp, const TurnAnswer<3>& answer) {
+  TurnDocument<3> claim{{},
+                        hold_claim(grasp, answer.now),
+                        hold_claim(grasp, answer.then),
+                        turn_claim(grasp, answer.taken, answer.orientation)};
+  const TurnSettings& settings = answer.settings;
+  claim.options = {.force_cap = settings.force_cap,
+                   .objective = settings.objective,
+                   .gap = settings.gap,
+                   .max_holds = settings.max_holds,
+                   .tilt = settings.tilt,
+                   .orientation = rotation_claim(answer.orientation),
+                   .up = answer.option.up};
+  return claim;
+}
+
 CurveDocument claims_of(const Grasp<2>& grasp, const CurveAnswer& answer) {
   CurveDocument claim{.options = options_claim(answer.settings),
                       .arcs = arc_claims(answer.curve, grasp.contacts().size()),
@@ -433,6 +520,8 @@ Json summary(const Grasp<Dim>& grasp, const Best<Dim>& best) {
 }
 
 template std::string text_of(CurveDocument);
+template std::string text_of(TurnDocument<2>);
+template std::string text_of(TurnDocument<3>);
 #define POISE_DOCUMENTS(Dim)                                                                     \
   template HoldDocument<Dim> claims_of(const Grasp<Dim>&, const HoldAnswer<Dim>&);               \
   template BestDocument<Dim> claims_of(const Grasp<Dim>&, const BestAnswer<Dim>&);               \

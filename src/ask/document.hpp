@@ -15,6 +15,8 @@ template <int Dim>
 HoldDocument<Dim> claims_of(const Grasp<Dim>& grasp, const HoldAnswer<Dim>& answer);
 template <int Dim>
 BestDocument<Dim> claims_of(const Grasp<Dim>& grasp, const BestAnswer<Dim>& answer);
+TurnDocument<2> claims_of(const Grasp<2>& grasp, const TurnAnswer<2>& answer);
+TurnDocument<3> claims_of(const Grasp<3>& grasp, const TurnAnswer<3>& answer);
 CurveDocument claims_of(const Grasp<2>& grasp, const CurveAnswer& answer);
 template <int Dim>
 CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Dim>& answer);
@@ -22,7 +24,7 @@ CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Di
 /// A document in lines of readable length.
 template <class Claims>
 std::string text_of(Claims claims);
-/// The JSON document of a HoldAnswer, BestAnswer, CurveAnswer or CapacityAnswer.
+/// The JSON document of a HoldAnswer, BestAnswer, TurnAnswer, CurveAnswer or CapacityAnswer.
 template <int Dim, class Answer>
 std::string document(const Grasp<Dim>& grasp, const Answer& answer) {
   return text_of(claims_of(grasp, answer));

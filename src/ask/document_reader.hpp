@@ -11,7 +11,7 @@ namespace poise {
 /// What the document of some command claims of a grasp; a curve is of the plane.
 template <int Dim>
 using AnyDocument = std::variant<CheckDocument<Dim>, HoldDocument<Dim>, BestDocument<Dim>,
-                                 CapacityDocument<Dim>, CurveDocument>;
+                                 TurnDocument<Dim>, CapacityDocument<Dim>, CurveDocument>;
 
 /// Reads the document of an answer about a grasp of this dimension.
 /// @throws FileError where it is none, lacks something or has it of a wrong type

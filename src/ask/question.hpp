@@ -9,12 +9,12 @@
 
 namespace poise {
 
-enum class Command { check, hold, best, curve, capacity };
+enum class Command { check, hold, best, turn, curve, capacity };
 
 /// A question; what is not given is taken from the grasp file, else it has its default.
 struct Question {
   Command command{Command::best};
-  std::optional<double> angle_deg{};  ///< the posture in the plane, as it was given
+  std::optional<double> angle_deg{};  ///< the posture in the plane, as it was given; of turn its end
   std::vector<double> up{};           ///< or its direction, as it was given: 2 or 3 numbers
   std::optional<Domain> domain{};     ///< in the plane
   std::optional<Objective> objective{};
@@ -24,6 +24,7 @@ struct Question {
   std::optional<Vector<3>> tilt_from{};
   std::optional<double> tilt_max_deg{};
   std::optional<Eigen::Quaterniond> orientation{};  ///< the present one, object to world
+  bool with_turn{true};  ///< best: whether to say what the turn there takes
   double safety{1.5};                               ///< of capacity
 };
 

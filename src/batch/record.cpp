@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 /// them.
 template <class File>
 Json answer(const File& file, Question question) {
+  question.with_turn = false;
   if constexpr (std::is_same_v<File, PlanarFile>) {
     question.gap.reset();
     question.max_holds.reset();

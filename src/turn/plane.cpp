@@ -101,6 +101,23 @@ PostureCurve whole_curve(const Grasp<2>& grasp, CurveSettings settings) {
   return posture_curve(grasp, settings);
 }
 
+/// How far from a posture, one way round, the curve stays at or below a level.
+double stretch_below(const PostureCurve& curve, double start, double side, double level) {
+  const double lo = side < 0 ? start - 2 * pi : start, hi = lo + 2 * pi;
+  double reached = 2 * pi;
+  const auto stop = [&](double at) { reached = std::min(reached, std::abs(at - start)); };
+  for (const Interval& gap : gaps(curve, lo, hi)) stop(side < 0 ? gap.to : gap.from);
+  each_between(curve.arcs, lo, hi, [&](double from, double to, const Arc& arc) {
+    Harmonic2 above = arc.value;
+    above.c0 -= level;
+    const double nearer = side < 0 ? to : from;
+    if (above(nearer) > 0) stop(nearer);
+    for (const Root& root : sign_changes(above, from, to))
+      if (root.rising == (side > 0)) stop(root.at);
+  });
+  return reached;
+}
+
 bool is_within(const Interval& domain, double lo, double hi) {
   const double turn = std::ceil((domain.from - rounding - lo) / (2 * pi)) * 2 * pi;
   return hi + turn <= domain.to + rounding;
@@ -132,6 +149,37 @@ std::vector<TurnPeak<2>> ways_round(const Grasp<2>& grasp, double from, double t
       ways.push_back(peak_on(grasp, curve, from, way, settings));
   if (ways.size() == 2 && ways[1].peak < ways[0].peak * (1 - tie)) std::swap(ways[0], ways[1]);
   return ways;
+}
+
+Reachable<2> best_reachable(const Grasp<2>& grasp, double from, const CurveSettings& settings) {
+  if (!std::isfinite(from)) throw InvalidGrasp("from", "must be finite");
+  const Interval domain = domain_interval(grasp, settings.domain);
+  CurveSettings within = settings;
+  if (!is_within(domain, from, from)) within.domain = Domain::all;
+  within.present = from;
+  const PostureCurve curve = posture_curve(grasp, within);
+  const Posture<2> now =
+      posture_at(grasp, up_at(from), {settings.force_cap, settings.objective});
+  if (!now.holdable()) throw InvalidGrasp("from", "cannot be held");
+  const double level = now.value() * (1 + tie);
+  Reachable<2> found{.posture = now,
+                     .least_angle = -stretch_below(curve, from, -1, level),
+                     .most_angle = stretch_below(curve, from, 1, level)};
+  double least = now.value();
+  const auto consider = [&](double angle, double value) {
+    if (value > least * (1 + tie) || angle < found.least_angle || angle > found.most_angle) return;
+    if (value >= least * (1 - tie) && std::abs(angle) >= std::abs(found.angle)) return;
+    least = std::min(least, value);
+    found.angle = angle;
+  };
+  for (const Optimum& optimum : curve.optima) {
+    const double near = std::remainder(optimum.angle - from, 2 * pi);
+    for (const double angle : {near, near - std::copysign(2 * pi, near)})
+      if (!optimum.maximum) consider(angle, optimum.value);
+  }
+  const Optimum best{.angle = from + found.angle, .value = least};
+  if (found.angle != 0) found.posture = minimum_at(grasp, best, within);
+  return found;
 }
 
 }  // namespace poise

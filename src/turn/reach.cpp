@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "space/local_minima.hpp"
 #include "space/search.hpp"
 #include "turn/levels.hpp"
 #include "turn/way.hpp"
@@ -24,11 +23,12 @@ class ReachSearch {
     most_ = now_.p / (1 - gap_);
   }
 
-  Reachable find() {
+  Reachable<3> find() {
+    if (!now_.holdable()) throw InvalidGrasp("from", "cannot be held");
     best_ = now_.x;
     best_p_ = now_.p;
     ups_ = {now_.x};
-    if (now_.holdable()) search();
+    search();
     return result();
   }
 
@@ -70,13 +70,13 @@ class ReachSearch {
     return lowest;
   }
 
-  Reachable result() {
-    Reachable found{best_, values_.value(best_p_), values_.value(proven_), is_done(), {}};
+  Reachable<3> result() {
+    Reachable<3> found{values_.posture(best_), values_.value(proven_), {}};
+    found.way.status = is_done() ? Status::optimal : Status::gap;
     found.way.ups = ups_;
     found.way.lower_bound = values_.value(now_.p);
-    found.way.peak = ups_.size() > 1 ? values_.value(peak_along(values_, ups_, gap_ / 8).most)
-                                     : values_.value(now_.p);
-    found.way.status = Status::optimal;
+    found.way.peak = values_.value(
+        ups_.size() > 1 ? peak_along(values_, ups_, gap_ / 8).most : now_.p);
     found.way.holds = values_.holds();
     return found;
   }
@@ -93,7 +93,7 @@ class ReachSearch {
 }  // namespace
 }  // namespace turns
 
-Reachable best_reachable(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& towards,
+Reachable<3> best_reachable(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& towards,
                          const TurnSettings& settings) {
   search::check_search(settings);
   turns::check_unit("from", from);

@@ -26,6 +26,15 @@ void check_up(Verdict& verdict, const Path& place, const Vec& up, const Vec& exp
 void check_curve(Verdict& verdict, const RealGrasp& grasp, const CurveDocument& curve);
 void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<2>& best);
 void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>& best);
+/// Checks the turns that a best posture comes with.
+void check_turns(Verdict& verdict, const Grasp<2>& given, const RealGrasp& grasp,
+                 const BestDocument<2>& best);
+void check_turns(Verdict& verdict, const Grasp<3>& given, const RealGrasp& grasp,
+                 const BestDocument<3>& best);
+void check_turn_document(Verdict& verdict, const Grasp<2>& given, const RealGrasp& grasp,
+                         const TurnDocument<2>& turn);
+void check_turn_document(Verdict& verdict, const Grasp<3>& given, const RealGrasp& grasp,
+                         const TurnDocument<3>& turn);
 template <int Dim>
 void check_capacity(Verdict& verdict, const RealGrasp& grasp, const CapacityDocument<Dim>& capacity,
                     const Present& present);

@@ -10,46 +10,10 @@
 namespace poise::verify {
 namespace {
 
-/// Cuts off all x with a . x > b.
-struct HalfSpace {
-  Vec3 a;
-  Real b;
-
-  Real beyond(const Vec3& x) const { return a.dot(x) - b; }
-};
-
 bool is_unlimited(const RealGrasp& grasp) {
   return std::all_of(grasp.contacts.begin(), grasp.contacts.end(), [](const RealContact& contact) {
     return contact.least <= 0 && !std::isfinite(contact.most);
   });
-}
-
-/// Where y proves that up = x needs an effort above t: 2 (y . w(x) - phi(G^T y)) > t. Without
-/// limits and with the weight alone a longer or shorter y proves more, and the best length is
-/// known.
-HalfSpace half_space(const RealGrasp& grasp, const RealLoad& load, const Cut& cut,
-                     const OptionsClaim& options, Real t) {
-  const Vec y = real(cut.y), none = Vec::Zero(y.size());
-  std::vector<Real> rates;
-  if (cut.rates) rates.assign(cut.rates->begin(), cut.rates->end());
-  const Vec v = load.weight * velocity(y, load.com);
-  const Real value = phi(grasp, y), slack = delta * imbalance_power(load, y);
-  if (options.objective == Objective::grip) {
-    // Of (y, rates): (sum of rates) F >= y . w(x), less what contacts can do.
-    Real sum = 0;
-    for (const Real rate : rates) sum += rate;
-    const Real limits =
-        -grip_bound(grasp, none, y, rates, options.force_cap * grasp.greatest_weight());
-    return {v.head<3>() / v.norm(), (sum * t + limits - y.dot(load.fixed) + slack) / v.norm()};
-  }
-  if (!rates.empty()) {
-    const Real drives = -bound(grasp, none, y, rates) / 2;
-    return {v.head<3>() / v.norm(), (t / 2 + drives - y.dot(load.fixed) + slack) / v.norm()};
-  }
-  const bool scales = is_unlimited(grasp) && load.fixed.isZero(0);
-  const Real b =
-      scales ? std::sqrt(2 * std::max(value, Real{0}) * t) : t / 2 + value - y.dot(load.fixed);
-  return {v.head<3>() / v.norm(), (b + slack) / v.norm()};
 }
 
 /// The greatest n . x in the domain, a cone: that of the direction nearest to n.
@@ -126,31 +90,72 @@ Distances left_by(std::vector<HalfSpace> cuts) {
 
 }  // namespace
 
+HalfSpace half_space(const RealGrasp& grasp, const RealLoad& load, const Cut& cut,
+                     const OptionsClaim& options, Real t) {
+  const Vec y = real(cut.y), none = Vec::Zero(y.size());
+  std::vector<Real> rates;
+  if (cut.rates) rates.assign(cut.rates->begin(), cut.rates->end());
+  const Vec v = load.weight * velocity(y, load.com);
+  const Real value = phi(grasp, y), slack = delta * imbalance_power(load, y);
+  if (options.objective == Objective::grip) {
+    // Of (y, rates): (sum of rates) F >= y . w(x), less what contacts can do.
+    Real sum = 0;
+    for (const Real rate : rates) sum += rate;
+    const Real limits =
+        -grip_bound(grasp, none, y, rates, options.force_cap * grasp.greatest_weight());
+    return {v.head<3>() / v.norm(), (sum * t + limits - y.dot(load.fixed) + slack) / v.norm()};
+  }
+  if (!rates.empty()) {
+    const Real drives = -bound(grasp, none, y, rates) / 2;
+    return {v.head<3>() / v.norm(), (t / 2 + drives - y.dot(load.fixed) + slack) / v.norm()};
+  }
+  const bool scales = is_unlimited(grasp) && load.fixed.isZero(0);
+  const Real b =
+      scales ? std::sqrt(2 * std::max(value, Real{0}) * t) : t / 2 + value - y.dot(load.fixed);
+  return {v.head<3>() / v.norm(), (b + slack) / v.norm()};
+}
+
+std::optional<HalfSpace> check_cut(Verdict& verdict, const Path& place, const RealGrasp& grasp,
+                                   const Cut& cut, const OptionsClaim& options, Real t) {
+  if (cut.n) {
+    const Vec3 n = cut.n->cast<Real>();
+    const Real greatest = greatest_in_domain(n, options.tilt) / n.norm();
+    verdict.check(place / "n", "n . x <= 0 in the whole domain [of n]", greatest, 1e-9L);
+    // Nothing of the domain is cut off, however thin it is, not even by rounding.
+    return HalfSpace{n / n.norm(), std::max(greatest, Real{0}) + 1e-15L};
+  }
+  const RealLoad& load = load_of(verdict, place / "scenario", grasp, cut.load);
+  const std::size_t rates = cut.rates ? cut.rates->size() : 0;
+  const bool right =
+      (rates == 0 || rates == grasp.drives.size()) &&
+      (rates == 0 || std::all_of(cut.rates->begin(), cut.rates->end(), [](double rate) {
+         return rate >= 0 && std::isfinite(rate);
+       }));
+  verdict.check(place / "rates", "rates are of the drives, and at least 0", right);
+  if (!right) return {};
+  const HalfSpace half = half_space(grasp, load, cut, options, t);
+  if (!std::isfinite(half.b) || !half.a.allFinite()) return {};
+  return half;
+}
+
+Real most_held(const RealGrasp& grasp, const OptionsClaim& options) {
+  const Real cap = options.force_cap * grasp.greatest_weight();
+  if (options.objective != Objective::grip) return cap * cap;
+  Real most = cap;
+  for (const RealDrive& drive : grasp.drives) {
+    if (drive.turns) most = std::min(most, cap * grasp.loads[0].radius);
+    most = std::min(most, drive.max / grasp.unit(drive));
+  }
+  return most;
+}
+
 void check_cuts(Verdict& verdict, const RealGrasp& grasp, const std::vector<Cut>& cuts,
                 const OptionsClaim& options, Real least, const std::string& words) {
   const Path list = Path() / "cuts";
   std::vector<HalfSpace> half_spaces;
-  for (std::size_t k = 0; k < cuts.size(); ++k) {
-    if (cuts[k].n) {
-      const Vec3 n = cuts[k].n->cast<Real>();
-      const Real greatest = greatest_in_domain(n, options.tilt) / n.norm();
-      verdict.check(list[k] / "n", "n . x <= 0 in the whole domain [of n]", greatest, 1e-9L);
-      // Nothing of the domain is cut off, however thin it is, not even by rounding.
-      half_spaces.push_back({n / n.norm(), std::max(greatest, Real{0}) + 1e-15L});
-      continue;
-    }
-    const RealLoad& load = load_of(verdict, list[k] / "scenario", grasp, cuts[k].load);
-    const std::size_t rates = cuts[k].rates ? cuts[k].rates->size() : 0;
-    const bool right =
-        (rates == 0 || rates == grasp.drives.size()) &&
-        (rates == 0 || std::all_of(cuts[k].rates->begin(), cuts[k].rates->end(),
-                                   [](double rate) { return rate >= 0 && std::isfinite(rate); }));
-    verdict.check(list[k] / "rates", "rates are of the drives, and at least 0", right);
-    if (!right) return;
-    const HalfSpace half = half_space(grasp, load, cuts[k], options, least);
-    if (std::isfinite(half.b) && half.a.allFinite())  // else y does not move the com
-      half_spaces.push_back(half);
-  }
+  for (std::size_t k = 0; k < cuts.size(); ++k)
+    if (const auto half = check_cut(verdict, list[k], grasp, cuts[k], options, least))
+      half_spaces.push_back(*half);
   // What is left is convex: it does not meet the unit sphere if it lies inside or outside.
   const Distances left = left_by(half_spaces);
   // Without any cut: forces add up to the weight, and W^2 <= V sum share.

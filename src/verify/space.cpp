@@ -11,37 +11,6 @@
 namespace poise::verify {
 namespace {
 
-using Quaternion = Eigen::Quaternion<Real>;
-
-Quaternion quaternion(const RotationClaim& q) { return {q.w, q.x, q.y, q.z}; }
-
-/// Checks the turn from the present orientation to the best posture, in the world frame.
-void check_turn(Verdict& verdict, const BestDocument<3>& best) {
-  const Path place = Path() / "rotation";
-  const bool told = best.rotation && best.rotation->angle_deg && best.orientation;
-  verdict.check(place, "where there is a best posture there is a turn to it", told);
-  if (!told) return;
-  const Quaternion before =
-      quaternion(best.options.orientation.value_or(RotationClaim())).normalized();
-  const Quaternion turn = quaternion(*best.rotation);
-  verdict.check(place, "rotation has length 1", std::abs(turn.norm() - 1), 1e-12L);
-  verdict.check(place, "rotation has w >= 0", turn.w() >= 0);
-  const Vec3 world = before * Vec3(best.best->up.cast<Real>());
-  verdict.check(place, "rotation takes up to the world's +z", (turn * world - Vec3::UnitZ()).norm(),
-                1e-11L);
-  // A turn takes no longer way than the angle between the two directions.
-  const Real angle = std::atan2(world.head<2>().norm(), world[2]);
-  const Real taken = 2 * std::atan2(turn.vec().norm(), turn.w());
-  verdict.check(place, "rotation is the smallest [rad]", std::abs(taken - angle), 1e-7L);
-  verdict.check(place / "angle_deg", "angle_deg is that of rotation [rad]",
-                std::abs(radians_of(*best.rotation->angle_deg) - taken), 1e-11L);
-  const Quaternion after = quaternion(*best.orientation), expected = turn * before;
-  verdict.check(Path() / "orientation", "orientation is that after the rotation",
-                std::min((after.coeffs() - expected.coeffs()).norm(),
-                         (after.coeffs() + expected.coeffs()).norm()),
-                1e-11L);
-}
-
 /// How far `up` is from the direction of the tilt [rad].
 Real tilted(const Tilt& tilt, const Vector<3>& up) {
   const Vec3 from = tilt.from.cast<Real>(), direction = up.cast<Real>();
@@ -101,8 +70,7 @@ void check_null(Verdict& verdict, const BestDocument<3>& best, const std::string
   verdict.check(Path() / "best_pinched", words, !best.best_pinched);
   verdict.check(Path() / "relative_gap", words, !best.relative_gap);
   verdict.check(Path() / "minima", words, best.minima.empty());
-  verdict.check(Path() / "rotation", words, !best.rotation);
-  verdict.check(Path() / "orientation", words, !best.orientation);
+  verdict.check(Path() / "turn", words, !best.turn);
 }
 
 void check_pinched(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>& best) {
@@ -153,8 +121,6 @@ void check_best_hold(Verdict& verdict, const RealGrasp& grasp, const BestDocumen
 void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>& best) {
   check_options(verdict, grasp.dim, best.options, {"domain", "gap", "max_holds", "objective"},
                 {"tilt", "orientation"});
-  const Real cap = best.options.force_cap * grasp.greatest_weight();
-  const bool is_grip = best.options.objective == Objective::grip;
   verdict.check(Path() / "minima_complete", "no list of minima in space is complete",
                 !best.minima_complete);
   verdict.unchecked(Path() / "holds", "how many holds the proof took");
@@ -163,15 +129,8 @@ void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>&
     verdict.check(Path() / "best", "is null where nothing is held", !best.best);
     verdict.check(Path() / "lower_bound", "is null where nothing is held", !best.lower_bound);
     check_null(verdict, best, "is null where nothing is held");
-    Real most = cap * cap;
-    if (is_grip) {
-      most = cap;
-      for (const RealDrive& drive : grasp.drives) {
-        if (drive.turns) most = std::min(most, cap * grasp.loads[0].radius);
-        most = std::min(most, drive.max / grasp.unit(drive));
-      }
-    }
-    return check_cuts(verdict, grasp, best.cuts, best.options, most,
+    return check_cuts(verdict, grasp, best.cuts, best.options,
+                      most_held(grasp, best.options),
                       "cuts prove that the force cap is not enough: they leave nothing on the "
                       "unit sphere");
   }
@@ -189,7 +148,6 @@ void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>&
   }
   check_best_hold(verdict, grasp, best, bound);
   check_pinched(verdict, grasp, best);
-  check_turn(verdict, best);
 }
 
 }  // namespace poise::verify

@@ -106,7 +106,12 @@ struct Checker {
   }
   void operator()(const BestDocument<Dim>& best) {
     check_best(verdict, grasp, best);
+    check_turns(verdict, given, grasp, best);
     check_present(best.options);
+  }
+  void operator()(const TurnDocument<Dim>& turn) {
+    check_turn_document(verdict, given, grasp, turn);
+    check_present(turn.options);
   }
   void operator()(const CapacityDocument<Dim>& capacity) {
     check_capacity(verdict, grasp, capacity, now);

@@ -8,6 +8,7 @@
 #include "files/degrees.hpp"
 #include "tables/parts.hpp"
 #include "tables/report.hpp"
+#include "tables/turn.hpp"
 
 namespace poise {
 namespace {
@@ -45,14 +46,6 @@ std::string optima_text(const Grasp<2>& grasp, const std::vector<Minimum<2>>& op
   std::vector<std::string> words{"manner", "kind"};
   if (types == Types::shown) words.emplace_back("type");
   return optima_table(grasp, rows, words, style);
-}
-
-/// "turn by 30.00° counter-clockwise"
-std::string turn_text(double from, double to) {
-  const double turn = std::remainder(to - from, 2 * std::numbers::pi);
-  const std::string size = degrees_text(std::abs(turn));
-  if (size == degrees_text(0)) return "stay";
-  return "turn by " + size + (turn < 0 ? " clockwise" : " counter-clockwise");
 }
 
 std::string scope(const CurveSettings& settings) {
@@ -136,8 +129,13 @@ std::string report(const PlanarFile& file, const Grasp<2>& grasp, const BestAnsw
                    !file.angle ? ""
                    : ties_with(*answer.now, *posture)
                        ? "stay: it is as good"
-                       : turn_text(*file.angle, posture->optimum.angle));
+                       : turn_text(std::remainder(posture->optimum.angle - *file.angle,
+                                                  2 * std::numbers::pi)));
   text += summary.text(style);
+  if (answer.now && answer.turn)
+    text += "\n" + taken_text(grasp, *answer.now, lowest, *answer.turn, style);
+  if (answer.now && answer.within_reach)
+    text += "\n" + reach_text(grasp, *answer.now, *answer.within_reach);
   if (differ) text += "\n" + wrapped(why_pinching_costs<2>(grasp, lowest, *pinched));
   if (!pinched) text += "\nThere is no pinched minimum" + scope(settings) + ".\n";
 

@@ -19,6 +19,10 @@ std::string report(const PlanarFile& file, const Grasp<2>& grasp, const BestAnsw
                    const Style& style);
 std::string report(const SpatialFile& file, const Grasp<3>& grasp, const BestAnswer<3>& answer,
                    const Style& style);
+std::string report(const PlanarFile& file, const Grasp<2>& grasp, const TurnAnswer<2>& answer,
+                   const Style& style);
+std::string report(const SpatialFile& file, const Grasp<3>& grasp, const TurnAnswer<3>& answer,
+                   const Style& style);
 std::string report(const PlanarFile& file, const Grasp<2>& grasp, const CurveAnswer& answer,
                    const Style& style);
 template <int Dim>

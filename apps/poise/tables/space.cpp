@@ -4,6 +4,7 @@
 #include "poise/turn.hpp"
 #include "tables/parts.hpp"
 #include "tables/report.hpp"
+#include "tables/turn.hpp"
 
 namespace poise {
 namespace {
@@ -11,13 +12,6 @@ namespace {
 /// Postures to choose from, in a sentence.
 std::string scope(const SpatialSettings& settings) {
   return settings.tilt ? " " + tilt_text(*settings.tilt) : "";
-}
-
-/// "turn by 30.00° about (0.000, 1.000, 0.000)"
-std::string turn_text(const Turn& turn) {
-  const std::string angle = degrees_text(turn.angle);
-  if (angle == degrees_text(0)) return "stay";
-  return "turn by " + angle + " about " + posture_text(turn.axis);
 }
 
 std::string optima_text(const Grasp<3>& grasp, const std::vector<Minimum<3>>& optima,
@@ -98,6 +92,11 @@ std::string report(const SpatialFile& file, const Grasp<3>& grasp, const BestAns
     rotations.add(std::move(row));
   }
   text += summary.text(style) + "\n" + wrapped(proof_text(best, answer.settings));
+  if (answer.now && answer.turn)
+    text += "\n" + taken_text(grasp, answer.orientation, *answer.now, lowest, *answer.turn, style);
+  if (answer.now && answer.within_reach)
+    text +=
+        "\n" + reach_text(grasp, answer.orientation, *answer.now, *answer.within_reach, style);
   if (differ) text += "\n" + wrapped(why_pinching_costs<3>(grasp, lowest, *pinched));
   if (!pinched)
     text += "\n" + wrapped(lowest.manner == Manner::pinched
