@@ -186,9 +186,14 @@ TurnTaken<2> taken(const Grasp<2>& grasp, double from, double to, const CurveSet
   return result;
 }
 
+TurnTaken<3> straight_turn(const Grasp<3>& grasp, const Eigen::Quaterniond& from,
+                           const Posture<3>& then, const TurnSettings& settings) {
+  return {turn_to(from, then.up), turn_peak(grasp, from, then.up, settings)};
+}
+
 TurnTaken<3> taken(const Grasp<3>& grasp, const Eigen::Quaterniond& from, const Posture<3>& now,
                    const Posture<3>& then, const TurnSettings& settings) {
-  TurnTaken<3> result{turn_to(from, then.up), turn_peak(grasp, from, then.up, settings)};
+  TurnTaken<3> result = straight_turn(grasp, from, then, settings);
   if (now.holdable() && then.holdable())
     result.way = least_peak_way(grasp, now.up, then.up, settings);
   return result;
@@ -303,7 +308,9 @@ TurnAnswer<3> turn(const SpatialFile& file, const Grasp<3>& grasp, const Questio
   TurnAnswer<3> answer{option_of(question), settings, orientation,
                        posture_at(grasp, from, of_hold),
                        posture_at(grasp, given_up(file, question), of_hold), {}};
-  answer.taken = taken(grasp, orientation, answer.now, answer.then, settings);
+  answer.taken = question.with_turn
+                     ? taken(grasp, orientation, answer.now, answer.then, settings)
+                     : straight_turn(grasp, orientation, answer.then, settings);
   return answer;
 }
 

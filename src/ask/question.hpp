@@ -24,7 +24,7 @@ struct Question {
   std::optional<Vector<3>> tilt_from{};
   std::optional<double> tilt_max_deg{};
   std::optional<Eigen::Quaterniond> orientation{};  ///< the present one, object to world
-  bool with_turn{true};  ///< best: whether to say what the turn there takes
+  bool with_turn{true};  ///< best: whether to look at the turn; turn: at other ways
   double safety{1.5};                               ///< of capacity
 };
 
