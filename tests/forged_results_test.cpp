@@ -134,7 +134,7 @@ TEST(ForgedResults, DoNotCutAwayTheOnePostureAllowed) {
   EXPECT_EQ(result["status"], "optimal");
   EXPECT_EQ(problem(box, result), "");
   for (const char* key :
-       {"best", "best_pinched", "lower_bound", "relative_gap", "orientation", "rotation"})
+       {"best", "best_pinched", "lower_bound", "relative_gap", "turn", "without_pressing_harder"})
     result[key] = nullptr;
   result["status"] = "unholdable";
   result["minima"] = Json::array();

@@ -230,7 +230,7 @@ class SpaceBest : public Space {
     EXPECT_EQ(keys(document),
               (std::set<std::string>{"poise_result", "command", "options", "status", "best",
                                      "best_pinched", "minima", "minima_complete", "lower_bound",
-                                     "relative_gap", "holds", "rotation", "orientation", "cuts"}));
+                                     "relative_gap", "holds", "turn", "without_pressing_harder", "cuts"}));
     const Json& options = document["options"];
     EXPECT_EQ(options["domain"], "all");
     EXPECT_EQ(document["status"], "optimal");
@@ -261,12 +261,12 @@ class SpaceBest : public Space {
   /// The rotation leads from the present orientation to the best posture, the shortest way.
   static void judge_turn(const Json& document) {
     const Eigen::Quaterniond before = quaternion(document["options"]["orientation"]),
-                             turn = quaternion(document["rotation"]),
-                             after = quaternion(document["orientation"]);
+                             turn = quaternion(document["turn"]["rotation"]),
+                             after = quaternion(document["turn"]["orientation"]);
     const Vector<3> up = vector(document["best"]["up"]), sky = Vector<3>::UnitZ();
     EXPECT_LE((after * up - sky).norm(), 1e-9);
     EXPECT_LE((after.toRotationMatrix() - (turn * before).toRotationMatrix()).norm(), 1e-12);
-    const double angle = document["rotation"]["angle_deg"].get<double>() * degree;
+    const double angle = document["turn"]["rotation"]["angle_deg"].get<double>() * degree;
     EXPECT_NEAR(angle, std::atan2((before * up).cross(sky).norm(), (before * up).dot(sky)), 1e-9);
     EXPECT_NEAR(angle, 2 * std::acos(std::min(1.0, turn.w())), 1e-7);
   }
@@ -381,7 +381,7 @@ TEST_F(SpaceBest, TheUnholdableIsNullsAndProof) {
   const Json document = json("best slippery.yaml", 1);
   EXPECT_EQ(document["status"], "unholdable");
   for (const char* key :
-       {"best", "best_pinched", "lower_bound", "relative_gap", "rotation", "orientation"})
+       {"best", "best_pinched", "lower_bound", "relative_gap", "turn", "without_pressing_harder"})
     EXPECT_TRUE(document[key].is_null()) << key;
   EXPECT_EQ(document["minima"], Json::array());
   EXPECT_FALSE(document["cuts"].empty());
@@ -416,7 +416,7 @@ TEST_F(SpaceBest, ThePresentPostureIsAskedInAnyCase) {
             fingers);
   const Json document = best("tray.yaml");
   EXPECT_NEAR(document["best"]["effort"], 4 * 0.25 * 0.25, 1e-9);
-  EXPECT_EQ(document["rotation"]["w"], 1.0);
+  EXPECT_EQ(document["turn"]["rotation"]["w"], 1.0);
 }
 
 TEST_F(SpaceBest, NothingFoundIsNotCalledUnholdable) {
@@ -466,7 +466,7 @@ TEST_F(SpaceBest, PeopleSeeNewtonsTurnAndProof) {
 TEST_F(SpaceBest, GivesTheAnswersThatTheExamplesTell) {
   fs::copy_file(POISE_EXAMPLES "/bottle.yaml", folder() / "bottle.yaml");
   const Json bottle = json("best bottle.yaml");
-  EXPECT_NEAR(bottle["rotation"]["angle_deg"], 86.00, 0.05);
+  EXPECT_NEAR(bottle["turn"]["rotation"]["angle_deg"], 86.00, 0.05);
   EXPECT_NEAR(bottle["best"]["scenario_efforts"][0], bottle["best"]["scenario_efforts"][1], 0.05);
   const std::string table = poise("best bottle.yaml").out;
   EXPECT_NE(table.find("(0.000, 0.000, 1.000)  grip 12.26 N"), table.npos) << table;
@@ -478,20 +478,20 @@ TEST_F(SpaceBest, GivesTheAnswersThatTheExamplesTell) {
   write("full.yaml", std::string(text).erase(empty, end - empty));
   write("empty.yaml", std::string(text).erase(full, empty - full));
   const Json if_full = json("best full.yaml");
-  EXPECT_NEAR(if_full["rotation"]["angle_deg"], 73, 0.5);
+  EXPECT_NEAR(if_full["turn"]["rotation"]["angle_deg"], 73, 0.5);
   // On the other side.
   EXPECT_LT(vector(if_full["best"]["up"]).x() * vector(bottle["best"]["up"]).x(), 0);
-  EXPECT_NEAR(json("best empty.yaml")["rotation"]["angle_deg"], 3, 0.5);
+  EXPECT_NEAR(json("best empty.yaml")["turn"]["rotation"]["angle_deg"], 3, 0.5);
 
   fs::copy_file(POISE_EXAMPLES "/box-three-fingers.yaml", folder() / "box.yaml");
   const Json box = json("best box.yaml");
-  EXPECT_NEAR(box["rotation"]["angle_deg"], 45, 1e-6);
+  EXPECT_NEAR(box["turn"]["rotation"]["angle_deg"], 45, 1e-6);
   EXPECT_NEAR(box["best"]["grip"], 6.689, 0.0005);
   EXPECT_NEAR(json("hold box.yaml")["grip"], 9.429, 0.0005);
 
   fs::copy_file(POISE_EXAMPLES "/tray.yaml", folder() / "tray.yaml");
   const Json tray = json("best tray.yaml");
-  EXPECT_NEAR(tray["rotation"]["angle_deg"], 15, 1e-6);
+  EXPECT_NEAR(tray["turn"]["rotation"]["angle_deg"], 15, 1e-6);
   EXPECT_GT(vector(tray["best"]["up"]).y(), 0);  // as is the centre of mass
   EXPECT_NEAR(tray["best"]["grip"], 6.161, 0.0005);
   EXPECT_NEAR(json("hold tray.yaml")["grip"], 6.934, 0.0005);
@@ -499,7 +499,7 @@ TEST_F(SpaceBest, GivesTheAnswersThatTheExamplesTell) {
   const std::size_t tilt = limited.find("tilt:");
   write("free.yaml", std::string(limited).erase(tilt, limited.find('\n', tilt) - tilt));
   const Json tilted = json("best free.yaml");
-  EXPECT_NEAR(tilted["rotation"]["angle_deg"], 65, 0.5);
+  EXPECT_NEAR(tilted["turn"]["rotation"]["angle_deg"], 65, 0.5);
   EXPECT_NEAR(tilted["best"]["grip"], 4.069, 0.0005);
 
   fs::copy_file(POISE_EXAMPLES "/cylinder-three-fingers.yaml", folder() / "cylinder.yaml");

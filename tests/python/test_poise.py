@@ -185,7 +185,7 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertEqual(best.relative_gap, expected["relative_gap"])
         self.assertEqual(best.best_pinched is None, expected["best_pinched"] is None)
         if read.up is None:
-            shown = expected["rotation"]
+            shown = expected["turn"]["rotation"]
             turn = poise.smallest_turn([1, 0, 0, 0], best.best.up)
             np.testing.assert_allclose(turn, [shown[key] for key in "wxyz"], rtol=1e-14)
 
