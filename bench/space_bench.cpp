@@ -6,6 +6,7 @@
 #include "measure.hpp"
 #include "poise/best_posture.hpp"
 #include "poise/grip.hpp"
+#include "poise/turn.hpp"
 
 namespace {
 
@@ -166,6 +167,33 @@ void space_best_and_minima(benchmark::State& state) {
              [&](std::size_t i) { benchmark::DoNotOptimize(best_posture(grasps[i])); });
 }
 
+/// The turn from a random posture to the best one, by grip: the peak of the straight one, the way of
+/// least peak, and what can be reached without pressing harder.
+enum class Of { peak, way, reach };
+template <Of of>
+void space_turn(benchmark::State& state) {
+  const std::vector<Grasp<3>> grasps =
+      random_grasps(static_cast<std::size_t>(state.range(0)), state.range(1) == 1, 100);
+  const TurnSettings settings{.objective = Objective::grip};
+  std::vector<Vector<3>> from, to;
+  for (const Grasp<3>& grasp : grasps) {
+    const Best<3> best = best_posture(grasp, {.objective = Objective::grip, .starts = 0});
+    to.push_back(best.holdable() ? best.best().up : Vector<3>(Vector<3>::UnitX()));
+    from.push_back(Vector<3>(-0.48, 0.6, 0.64));
+    for (const Vector<3>& up : {Vector<3>(0, 0, 1), Vector<3>(0.6, 0, 0.8), Vector<3>(0, 1, 0)})
+      if (!hold(grasp, from.back()).holdable) from.back() = up;
+    if (!hold(grasp, from.back()).holdable) from.back() = to.back();
+  }
+  measure<6>(state, grasps.size(), 1, [&](std::size_t i) {
+    if constexpr (of == Of::peak)
+      benchmark::DoNotOptimize(turn_peak(grasps[i], from[i], to[i], settings));
+    else if constexpr (of == Of::way)
+      benchmark::DoNotOptimize(least_peak_way(grasps[i], from[i], to[i], settings));
+    else if (hold(grasps[i], from[i]).holdable)
+      benchmark::DoNotOptimize(best_reachable(grasps[i], from[i], to[i], settings));
+  });
+}
+
 void holds(benchmark::internal::Benchmark* row) {
   row->UseManualTime()->ArgNames({"contacts", "soft"});
 }
@@ -187,6 +215,9 @@ BENCHMARK(space_hold_warm_mean)
     ->Arg(4);
 BENCHMARK(space_grip)->Apply(holds)->Iterations(200)->ArgsProduct({{3, 4, 8}, {0, 1}});
 BENCHMARK(space_best_grip)->Apply(holds)->Iterations(100)->ArgsProduct({{4, 8}, {0, 1}});
+BENCHMARK(space_turn<Of::peak>)->Apply(holds)->Iterations(100)->ArgsProduct({{4, 8}, {0, 1}});
+BENCHMARK(space_turn<Of::way>)->Apply(holds)->Iterations(100)->ArgsProduct({{4, 8}, {0, 1}});
+BENCHMARK(space_turn<Of::reach>)->Apply(holds)->Iterations(100)->ArgsProduct({{4, 8}, {0, 1}});
 BENCHMARK(space_make)->Apply(holds)->Iterations(1000)->ArgsProduct({{4, 8}, {0, 1}});
 BENCHMARK(space_best)
     ->UseManualTime()

@@ -107,8 +107,8 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
   } usages[] = {
       {"", "A subcommand is required"},
       {"hodl 4c.yaml",
-       "unknown command 'hodl', must be check, hold, best, curve, capacity, draw, verify, "
-       "contacts, batch, view or import"},
+       "unknown command 'hodl', must be check, hold, best, turn, curve, capacity, draw, "
+       "verify, contacts, batch, view or import"},
       {"best", "FILE is required"},
       {"best 4c.yaml 4c.yaml", "unexpected '4c.yaml', poise best takes one FILE"},
       {"best 4c.yaml hold", "unexpected 'hold'"},

@@ -162,8 +162,8 @@ TEST(ResultDocument, OfAHoldThatIsNoneHasItsReason) {
 
 TEST(ResultDocument, OfTheBestPostureHasThePromisedKeys) {
   const Keys best_keys{
-      "status",       "best",  "best_pinched", "minima",          "lower_bound",
-      "relative_gap", "worst", "arcs",         "unholdable_arcs", "holdable_arcs_deg"};
+      "status", "best", "best_pinched",           "minima", "lower_bound",     "relative_gap",
+      "turn",   "worst", "without_pressing_harder", "arcs",   "unholdable_arcs", "holdable_arcs_deg"};
   for (const Grasp<2>& grasp : {disk(5 * pi / 12, 1, 1 / std::sqrt(3.0)), limited_disk()}) {
     const std::size_t contacts = grasp.contacts().size(), fingers = grasp.fingers().size();
     for (const Domain domain : {Domain::all, Domain::pinching_up}) {

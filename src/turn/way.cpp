@@ -67,8 +67,8 @@ class WaySearch {
     for (const Valued* end : {&from_, &to_})
       lower_ = std::max(lower_, values_.least_between(end->half_space, end->x, end->x));
     if (!(lower_ < infinity)) return result();
-    take({from_.x, to_.x}, peak_of(values_, arc_between(from_.x, to_.x), gap_ / 2, infinity,
-                                   left()).most);
+    const Arc straight = arc_between(from_.x, to_.x);
+    take(straight, peak_of(values_, straight, gap_ / 2, infinity, left()).most);
     if (!is_done()) {
       if (values_.oracle().thin.empty())
         search_sphere();
@@ -86,6 +86,15 @@ class WaySearch {
     if (!(most < upper_)) return;
     ups_ = std::move(ups);
     upper_ = most;
+  }
+
+  /// A part of a great circle as a way, in steps of which each is the smallest turn.
+  void take(const Arc& arc, double most) {
+    const int parts = arc.angle < pi - 1e-6 ? 1 : 1 + static_cast<int>(arc.angle / (0.7 * pi));
+    std::vector<Vector<3>> ups{from_.x};
+    for (int k = 1; k < parts; ++k) ups.push_back(arc.at(arc.angle * k / parts));
+    ups.push_back(to_.x);
+    take(std::move(ups), most);
   }
 
   void search_sphere() {
@@ -126,12 +135,8 @@ class WaySearch {
     const Arc other{from_.x, -straight.across, 2 * pi - straight.angle};
     const Enclosure first = peak_of(values_, straight, gap_ / 2, infinity, left());
     const Enclosure second = peak_of(values_, other, gap_ / 2, infinity, left());
-    if (second.most < upper_) {
-      const int parts = 1 + static_cast<int>(other.angle / (0.7 * pi));
-      std::vector<Vector<3>> ups;
-      for (int k = 0; k <= parts; ++k) ups.push_back(other.at(other.angle * k / parts));
-      take(std::move(ups), second.most);
-    }
+    take(straight, first.most);
+    take(other, second.most);
     // Across the circle where each way needs most, and else beside it.
     const Vector<3> n = straight.from.cross(straight.across);
     const auto beyond = [&](double side) -> const HalfSpace* {

@@ -41,7 +41,12 @@ struct Turning {
     HoldAnswer<Dim> answer;
     answer.settings = {options.force_cap, options.objective.value_or(Objective::effort)};
     const Vector<Dim> rounded = up.template cast<double>().normalized();
-    answer.posture = posture_at(given, rounded, answer.settings);
+    try {
+      answer.posture = posture_at(given, rounded, answer.settings);
+    } catch (const InvalidGrasp&) {  // options or orientations that make no sense
+      verdict.check(place, "a posture can be asked for", false);
+      return {};
+    }
     const HoldClaim<Dim> claim = claims_of(given, answer);
     if (claim.holdable) {
       Verdict own;
@@ -220,7 +225,8 @@ Real least_on_arc(const Vec3& a, const Vec3& p, const Vec3& q) {
 
 /// Whether a closed curve of arcs crosses the arc between two postures an odd number of times.
 bool is_between(const std::vector<WallClaim>& wall, const Vec3& from, const Vec3& to) {
-  const Vec3 n = from.cross(to);
+  // Of opposite postures any half of a great circle between them will do.
+  const Vec3 n = from.cross(to).norm() > 1e-9L ? Vec3(from.cross(to)) : from.unitOrthogonal();
   int crossings = 0;
   for (std::size_t k = 0; k < wall.size(); ++k) {
     const Vec3 p = wall[k].up.cast<Real>(), q = wall[(k + 1) % wall.size()].up.cast<Real>();
