@@ -167,8 +167,8 @@ void space_best_and_minima(benchmark::State& state) {
              [&](std::size_t i) { benchmark::DoNotOptimize(best_posture(grasps[i])); });
 }
 
-/// The turn from a random posture to the best one, by grip: the peak of the straight one, the way of
-/// least peak, and what can be reached without pressing harder.
+/// The turn from a random posture to the best one, by grip: the peak of the straight one, the way
+/// of least peak, and what can be reached without pressing harder.
 enum class Of { peak, way, reach };
 template <Of of>
 void space_turn(benchmark::State& state) {

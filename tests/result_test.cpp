@@ -134,7 +134,8 @@ TEST(ResultDocument, OfAHoldHasThePromisedKeys) {
   const Json document = parsed(poise::document(grasp, answer));
   EXPECT_EQ(keys(document), with(document_keys, hold_keys));
   EXPECT_EQ(document["command"], "hold");
-  EXPECT_EQ(document["options"], (Json{{"force_cap", 1e6}, {"objective", "effort"}, {"angle_deg", 30.0}}));
+  EXPECT_EQ(document["options"],
+            (Json{{"force_cap", 1e6}, {"objective", "effort"}, {"angle_deg", 30.0}}));
   EXPECT_EQ(document["angle_deg"], 30.0);
   EXPECT_NEAR(document["effort"], 300, 1e-9);
   EXPECT_EQ(document["fingers"][0]["finger"], "0");
@@ -161,9 +162,18 @@ TEST(ResultDocument, OfAHoldThatIsNoneHasItsReason) {
 }
 
 TEST(ResultDocument, OfTheBestPostureHasThePromisedKeys) {
-  const Keys best_keys{
-      "status", "best", "best_pinched",           "minima", "lower_bound",     "relative_gap",
-      "turn",   "worst", "without_pressing_harder", "arcs",   "unholdable_arcs", "holdable_arcs_deg"};
+  const Keys best_keys{"status",
+                       "best",
+                       "best_pinched",
+                       "minima",
+                       "lower_bound",
+                       "relative_gap",
+                       "turn",
+                       "worst",
+                       "without_pressing_harder",
+                       "arcs",
+                       "unholdable_arcs",
+                       "holdable_arcs_deg"};
   for (const Grasp<2>& grasp : {disk(5 * pi / 12, 1, 1 / std::sqrt(3.0)), limited_disk()}) {
     const std::size_t contacts = grasp.contacts().size(), fingers = grasp.fingers().size();
     for (const Domain domain : {Domain::all, Domain::pinching_up}) {

@@ -230,7 +230,8 @@ class SpaceBest : public Space {
     EXPECT_EQ(keys(document),
               (std::set<std::string>{"poise_result", "command", "options", "status", "best",
                                      "best_pinched", "minima", "minima_complete", "lower_bound",
-                                     "relative_gap", "holds", "turn", "without_pressing_harder", "cuts"}));
+                                     "relative_gap", "holds", "turn", "without_pressing_harder",
+                                     "cuts"}));
     const Json& options = document["options"];
     EXPECT_EQ(options["domain"], "all");
     EXPECT_EQ(document["status"], "optimal");

@@ -58,8 +58,7 @@ class Turns : public CommandLine {
 // degrees, and 3.9745 on a way along the edges of a sphere of 2562 points.
 TEST_F(Turns, HaveThePeakThatAnotherSolverFinds) {
   const std::string file = write("three.yaml", three_fingers);
-  const Json turn =
-      confirmed(file, "turn three.yaml --to=-0.513375,-0.646578,-0.564254")["turn"];
+  const Json turn = confirmed(file, "turn three.yaml --to=-0.513375,-0.646578,-0.564254")["turn"];
   EXPECT_NEAR(turn["turn_deg"], 116.46, 0.01);
   EXPECT_LE(turn["lower_bound"], 4.0659);
   EXPECT_GE(turn["peak"], 4.0657);
@@ -114,7 +113,8 @@ TEST_F(Turns, NameWhatCannotBeHeld) {
   EXPECT_NEAR(over["turn"]["unholdable"][0]["from_deg"], 0, 1e-4);
   EXPECT_FALSE(over["turn"]["unholdable"][0]["posture"]["reason"].get<std::string>().empty());
   EXPECT_TRUE(over["turn"]["way"].is_null());
-  // Upside down the smallest turn leads past that too; round by the line of the jaws it can be held.
+  // Upside down the smallest turn leads past that too; round by the line of the jaws it can be
+  // held.
   const Json round = confirmed(file, "turn jaws.yaml --to 0,0,-1");
   EXPECT_TRUE(round["turn"]["peak"].is_null());
   const Json& way = round["turn"]["way"];
@@ -131,7 +131,8 @@ TEST_F(Turns, RefuseWhatIsNoTarget) {
     EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
   };
   expect_usage("turn three.yaml", "--to is required");
-  expect_usage("turn three.yaml --to 30", "--to: has 1 number, must have 3: three.yaml is in space");
+  expect_usage("turn three.yaml --to 30",
+               "--to: has 1 number, must have 3: three.yaml is in space");
   expect_usage("turn three.yaml --to 0,1", "--to: has 2 numbers, must have 3");
   expect_usage("turn three.yaml --to 0,0,0", "--to: 0,0,0 has no direction");
   expect_usage("turn three.yaml --to up", "--to: 'up' is not an angle in degrees, or a direction");

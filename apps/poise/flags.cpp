@@ -152,15 +152,16 @@ void Flags::search(Question& question) {
   domain(question);
   objective(question);
   force_cap(question);
-  value("--gap", "PART", "Space: how far what is needed may be above the proven bound (" +
-                            std::string(is_turn ? "1e-3" : "1e-6") + ")",
+  value("--gap", "PART",
+        "Space: how far what is needed may be above the proven bound (" +
+            std::string(is_turn ? "1e-3" : "1e-6") + ")",
         [&](const auto& text) {
           question.gap =
               read_number("--gap", text, "a part of the effort, must be above 0 and below 1",
                           [](double gap) { return gap > 0 && gap < 1; });
         });
-  value("--max-holds", "N", "Space: holds to spend on the proof (" +
-                                  std::string(is_turn ? "20000" : "2000") + ")",
+  value("--max-holds", "N",
+        "Space: holds to spend on the proof (" + std::string(is_turn ? "20000" : "2000") + ")",
         [&](const auto& text) {
           question.max_holds = static_cast<int>(
               read_number("--max-holds", text, "a number of holds, must be from 1 to 1000000",
@@ -169,11 +170,10 @@ void Flags::search(Question& question) {
 }
 
 void Flags::turned(Question& question) {
-  value("--tilt-from", "X,Y,Z", "Space: choose from postures near this one",
-        [&](const auto& text) {
-          const auto v = read_direction("--tilt-from", text, 3, 3, "0,0,1");
-          question.tilt_from = Vector<3>(v.data()).stableNormalized();
-        });
+  value("--tilt-from", "X,Y,Z", "Space: choose from postures near this one", [&](const auto& text) {
+    const auto v = read_direction("--tilt-from", text, 3, 3, "0,0,1");
+    question.tilt_from = Vector<3>(v.data()).stableNormalized();
+  });
   value("--tilt-max", "DEG", "Space: at most so far from it, 0 to 90", [&](const auto& text) {
     question.tilt_max_deg = read_number("--tilt-max", text, "an angle from 0 to 90 degrees",
                                         [](double angle) { return angle >= 0 && angle <= 90; });

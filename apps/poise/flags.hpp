@@ -59,7 +59,8 @@ class Flags {
   void domain(Question& question);
   void objective(Question& question);
   void force_cap(Question& question);
-  /// Domain, objective, force cap, gap, holds: of the best posture, or of turns, with their defaults.
+  /// Domain, objective, force cap, gap, holds: of the best posture, or of turns, with their
+  /// defaults.
   void search(Question& question);
   void turned(Question& question);  ///< tilt, orientation
 

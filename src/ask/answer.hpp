@@ -41,12 +41,12 @@ template <int Dim>
 struct TurnTaken;
 template <>
 struct TurnTaken<2> {
-  TurnPeak<2> straight;                  ///< the shorter way round
+  TurnPeak<2> straight;                ///< the shorter way round
   std::optional<TurnPeak<2>> other{};  ///< the other one, where it stays in the domain
 };
 template <>
 struct TurnTaken<3> {
-  Turn turn;              ///< the straight one
+  Turn turn;  ///< the straight one
   TurnPeak<3> straight;
   std::optional<Way> way{};  ///< that of least peak, where both ends are held
 };
@@ -76,8 +76,8 @@ template <>
 struct BestAnswer<2> {
   CurveSettings settings;
   Best<2> best;
-  std::optional<Posture<2>> now{};  ///< as it is held now, where the file says so
-  std::optional<TurnTaken<2>> turn{};         ///< from the present posture, or upright, to the best
+  std::optional<Posture<2>> now{};     ///< as it is held now, where the file says so
+  std::optional<TurnTaken<2>> turn{};  ///< from the present posture, or upright, to the best
   std::optional<Reachable<2>> within_reach{};  ///< where the best is not, without pressing harder
   /// Where nothing in the domain holds: a posture of it, to show why.
   std::optional<Posture<2>> unholdable{};
@@ -88,8 +88,8 @@ template <>
 struct BestAnswer<3> {
   SpatialSettings settings;
   Best<3> best;
-  std::optional<Posture<3>> now{};         ///< as it is held now, where somebody said so
-  std::optional<TurnTaken<3>> turn{};         ///< from the present posture, or upright, to the best
+  std::optional<Posture<3>> now{};     ///< as it is held now, where somebody said so
+  std::optional<TurnTaken<3>> turn{};  ///< from the present posture, or upright, to the best
   std::optional<Reachable<3>> within_reach{};  ///< where the best is not, without pressing harder
   std::optional<Posture<3>> unholdable{};  ///< where proven: a posture of the domain, to show why
   std::optional<Posture<3>>

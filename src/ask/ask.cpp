@@ -42,8 +42,9 @@ Vector<2> given_up(const PlanarFile& file, const Question& question) {
 Vector<3> given_up(const SpatialFile&, const Question& question) {
   const char* const option = posture_option(question);
   if (question.angle_deg)
-    throw Misfit(option, option == std::string("to") ? "has 1 number, must have 3:"
-                                                     : "is for the plane,", 3);
+    throw Misfit(option,
+                 option == std::string("to") ? "has 1 number, must have 3:" : "is for the plane,",
+                 3);
   if (question.up.size() == 2) throw Misfit(option, "has 2 numbers, must have 3:", 3);
   return Vector<3>(question.up.data()).stableNormalized();
 }
@@ -178,8 +179,7 @@ TurnTaken<2> taken(const Grasp<2>& grasp, double from, double to, const CurveSet
     result.straight = turn_peak(grasp, from, 0, settings);
     return result;
   }
-  const bool is_other_first =
-      ways.size() == 2 && std::abs(ways[1].angle) < std::abs(ways[0].angle);
+  const bool is_other_first = ways.size() == 2 && std::abs(ways[1].angle) < std::abs(ways[0].angle);
   if (is_other_first) std::swap(ways[0], ways[1]);
   result.straight = std::move(ways[0]);
   if (ways.size() == 2) result.other = std::move(ways[1]);
@@ -266,8 +266,7 @@ BestAnswer<3> best(const SpatialFile& file, const Grasp<3>& grasp, const Questio
   if (answer.best.holdable() && question.with_turn) {
     const TurnSettings of_turn = turn_settings(settings);
     const Posture<3> start =
-        answer.now ? *answer.now
-                   : posture_at(grasp, now, {settings.force_cap, settings.objective});
+        answer.now ? *answer.now : posture_at(grasp, now, {settings.force_cap, settings.objective});
     const Posture<3>& then = answer.best.best();
     answer.turn = taken(grasp, answer.orientation, start, then, of_turn);
     const double most = start.value() / (1 - of_turn.gap);
@@ -305,12 +304,14 @@ TurnAnswer<3> turn(const SpatialFile& file, const Grasp<3>& grasp, const Questio
   const Eigen::Quaterniond orientation = present_orientation(file, question);
   const HoldSettings of_hold{settings.force_cap, settings.objective};
   const Vector<3> from = orientation.conjugate() * Vector<3>::UnitZ();
-  TurnAnswer<3> answer{option_of(question), settings, orientation,
+  TurnAnswer<3> answer{option_of(question),
+                       settings,
+                       orientation,
                        posture_at(grasp, from, of_hold),
-                       posture_at(grasp, given_up(file, question), of_hold), {}};
-  answer.taken = question.with_turn
-                     ? taken(grasp, orientation, answer.now, answer.then, settings)
-                     : straight_turn(grasp, orientation, answer.then, settings);
+                       posture_at(grasp, given_up(file, question), of_hold),
+                       {}};
+  answer.taken = question.with_turn ? taken(grasp, orientation, answer.now, answer.then, settings)
+                                    : straight_turn(grasp, orientation, answer.then, settings);
   return answer;
 }
 

@@ -240,9 +240,7 @@ struct StretchClaim {
   double from_deg{0}, to_deg{0};
   TurnPostureClaim<Dim> posture{};
 
-  void fields(auto& visit) {
-    visit("from_deg", from_deg, "to_deg", to_deg, "posture", posture);
-  }
+  void fields(auto& visit) { visit("from_deg", from_deg, "to_deg", to_deg, "posture", posture); }
 };
 
 /// What a turn takes; null where a posture of it cannot be held.

@@ -14,9 +14,10 @@ enum class Command { check, hold, best, turn, curve, capacity };
 /// A question; what is not given is taken from the grasp file, else it has its default.
 struct Question {
   Command command{Command::best};
-  std::optional<double> angle_deg{};  ///< the posture in the plane, as it was given; of turn its end
-  std::vector<double> up{};           ///< or its direction, as it was given: 2 or 3 numbers
-  std::optional<Domain> domain{};     ///< in the plane
+  std::optional<double>
+      angle_deg{};                 ///< the posture in the plane, as it was given; of turn its end
+  std::vector<double> up{};        ///< or its direction, as it was given: 2 or 3 numbers
+  std::optional<Domain> domain{};  ///< in the plane
   std::optional<Objective> objective{};
   double force_cap{HoldSettings{}.force_cap};  ///< in weights of the heaviest load
   std::optional<double> gap{};                 ///< in space, as are all below but the safety
@@ -25,7 +26,7 @@ struct Question {
   std::optional<double> tilt_max_deg{};
   std::optional<Eigen::Quaterniond> orientation{};  ///< the present one, object to world
   bool with_turn{true};  ///< best: whether to look at the turn; turn: at other ways
-  double safety{1.5};                               ///< of capacity
+  double safety{1.5};    ///< of capacity
 };
 
 }  // namespace poise

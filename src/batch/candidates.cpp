@@ -35,8 +35,7 @@ std::optional<Columns> columns(const CsvReader& reader, const std::string& file,
       missing += (missing.empty() ? "" : ", ") + std::string(name);
   }
   if (found.empty()) return {};
-  if (!missing.empty())
-    throw FileError(file, {1, 1}, "header", "lacks the column " + missing);
+  if (!missing.empty()) throw FileError(file, {1, 1}, "header", "lacks the column " + missing);
   return found;
 }
 
@@ -69,8 +68,7 @@ std::optional<double> finite(double number) {
 template <int Dim>
 Candidates<Dim> read_candidates(const std::string& file) {
   const std::string name = file_name(file), text = read_text(file, longest_file);
-  if (text.size() > longest_file)
-    throw FileError(name, {}, "", "is longer than 256 MB: split it");
+  if (text.size() > longest_file) throw FileError(name, {}, "", "is longer than 256 MB: split it");
   CsvReader reader(text, name);
   std::optional<Columns> quaternion, up, angle;
   if constexpr (Dim == 3) {
@@ -78,9 +76,10 @@ Candidates<Dim> read_candidates(const std::string& file) {
     if (!quaternion) quaternion = columns(reader, name, {"w", "x", "y", "z"});
     if (!quaternion) up = columns(reader, name, {"up_x", "up_y", "up_z"});
     if (!quaternion && !up)
-      throw FileError(name, {1, 1}, "header",
-                      "must have the columns w, x, y, z (or qw, qx, qy, qz) of a quaternion, object "
-                      "to world, or up_x, up_y, up_z");
+      throw FileError(
+          name, {1, 1}, "header",
+          "must have the columns w, x, y, z (or qw, qx, qy, qz) of a quaternion, object "
+          "to world, or up_x, up_y, up_z");
   } else {
     angle = columns(reader, name, {"angle_deg"});
     if (!angle) up = columns(reader, name, {"up_x", "up_y"});
@@ -153,8 +152,8 @@ std::vector<RankedCandidate<Dim>> ranked(const FileOf<Dim>& file, const Grasp<Di
   const bool by_grip = question.objective.value_or(file.objective) == Objective::grip;
   const auto key = [&](const RankedCandidate<Dim>& each) {
     const double value = by_grip && each.grip ? *each.grip : each.effort;
-    return std::tuple(!each.holdable, coarse(value), coarse(each.peak),
-                      coarse(std::abs(each.turn)), each.candidate->row);
+    return std::tuple(!each.holdable, coarse(value), coarse(each.peak), coarse(std::abs(each.turn)),
+                      each.candidate->row);
   };
   std::sort(answers.begin(), answers.end(),
             [&](const auto& a, const auto& b) { return key(a) < key(b); });
@@ -191,10 +190,10 @@ std::string lines_of(const Candidates<Dim>& candidates,
   return lines;
 }
 
-#define POISE_CANDIDATES(Dim)                                                                   \
-  template Candidates<Dim> read_candidates(const std::string&);                                 \
-  template std::vector<RankedCandidate<Dim>> ranked(const FileOf<Dim>&, const Grasp<Dim>&,      \
-                                                    const Question&, const Candidates<Dim>&);   \
+#define POISE_CANDIDATES(Dim)                                                                 \
+  template Candidates<Dim> read_candidates(const std::string&);                               \
+  template std::vector<RankedCandidate<Dim>> ranked(const FileOf<Dim>&, const Grasp<Dim>&,    \
+                                                    const Question&, const Candidates<Dim>&); \
   template std::string lines_of(const Candidates<Dim>&, const std::vector<RankedCandidate<Dim>>&);
 POISE_CANDIDATES(2)
 POISE_CANDIDATES(3)

@@ -11,8 +11,8 @@ namespace poise {
 /// A row of a table of candidates.
 template <int Dim>
 struct Candidate {
-  std::size_t row{0};  ///< from 1, without the header
-  Vector<Dim> up;      ///< unit vector against gravity, object frame
+  std::size_t row{0};                               ///< from 1, without the header
+  Vector<Dim> up;                                   ///< unit vector against gravity, object frame
   std::optional<double> angle_deg{};                ///< in the plane, where it was given
   std::optional<Eigen::Quaterniond> orientation{};  ///< in space, where it was given
   std::vector<std::string> others{};                ///< cells of further columns

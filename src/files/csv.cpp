@@ -36,8 +36,8 @@ std::optional<std::vector<Cell>> CsvReader::next() {
 }
 
 void CsvReader::fail(const Cell& cell, std::size_t column, const std::string& problem) const {
-  throw FileError(file_, cell.place,
-                  "row " + std::to_string(row_) + ", column " + header_[column], problem);
+  throw FileError(file_, cell.place, "row " + std::to_string(row_) + ", column " + header_[column],
+                  problem);
 }
 
 double CsvReader::number(const std::vector<Cell>& row, std::size_t column) const {

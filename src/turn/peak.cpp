@@ -134,7 +134,7 @@ TurnPeak<3> peak_along(const Grasp<3>& grasp, const turns::Arc& arc, const TurnS
   turns::Values values(grasp, settings);
   const turns::Enclosure found = turns::peak_of(values, arc, values.gap_of_p(settings.gap),
                                                 turns::infinity, settings.max_holds);
-  TurnPeak<3> result{arc.angle, values.value(found.most), values.value(found.least),
+  TurnPeak<3> result{arc.angle, values.value(found.most),        values.value(found.least),
                      found.at,  values.posture(found.posture.x), {}};
   for (const auto& stretch : found.unholdable)
     result.unholdable.push_back(
@@ -149,10 +149,10 @@ TurnPeak<3> turn_peak(const Grasp<3>& grasp, const Eigen::Quaterniond& from, con
   turns::check_unit("to", to);
   // Where `to` points straight down, the axis is the world's x: on the way the world's y is up.
   const Eigen::Quaterniond back = from.normalized().conjugate();
-  return peak_along(grasp,
-                    turns::arc_between(back * Vector<3>::UnitZ(), to.normalized(),
-                                       back * Vector<3>::UnitY()),
-                    settings);
+  return peak_along(
+      grasp,
+      turns::arc_between(back * Vector<3>::UnitZ(), to.normalized(), back * Vector<3>::UnitY()),
+      settings);
 }
 
 TurnPeak<3> turn_peak(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& to,

@@ -15,7 +15,7 @@ using search::infinity;
 /// A posture, or another x.
 struct Valued {
   Vector<3> x = Vector<3>::Zero();
-  double p{infinity};   ///< the root of the value, in the unit of the oracle
+  double p{infinity};    ///< the root of the value, in the unit of the oracle
   HalfSpace half_space;  ///< by which it shows
 
   bool holdable() const { return p < infinity; }

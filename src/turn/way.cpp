@@ -18,8 +18,7 @@ std::vector<Vector<3>> fewest_steps(Values& values, const std::vector<Vector<3>>
   std::vector<Vector<3>> steps{ups.front()};
   const auto is_low = [&](std::size_t from, std::size_t to) {
     const Arc arc = arc_between(ups[from], ups[to]);
-    return arc.angle < pi - 1e-6 &&
-           peak_of(values, arc, 1e-12, most, holds_per_step).most <= most;
+    return arc.angle < pi - 1e-6 && peak_of(values, arc, 1e-12, most, holds_per_step).most <= most;
   };
   for (std::size_t k = 0; k + 1 < ups.size();) {
     std::size_t good = k + 1, bad = ups.size();
@@ -107,8 +106,8 @@ class WaySearch {
       proven = std::max(lower_, levels_proven(mesh, 0).to(1));
       reached = std::min(upper_, levels.to(1));
       if (!is_open()) break;
-      const double level = reached < infinity ? (proven + reached) / 2
-                                              : std::numeric_limits<double>::max();
+      const double level =
+          reached < infinity ? (proven + reached) / 2 : std::numeric_limits<double>::max();
       if (!refine(mesh, doubtful_on_way(mesh, 0, {1}, level))) break;
     }
     if (proven > lower_) {
@@ -149,12 +148,9 @@ class WaySearch {
     const auto beside = [&](const Enclosure& found, double side) {
       return Vector<3>((found.posture.x + side * beside_circle * n).normalized());
     };
-    std::vector<Stone> wall{{beside(first, -1), first.posture.half_space},
-                            {beside(first, 1), *above},
-                            {n, *above},
-                            {beside(second, 1), second.posture.half_space},
-                            {beside(second, -1), *below},
-                            {-n, *below}};
+    std::vector<Stone> wall{
+        {beside(first, -1), first.posture.half_space},  {beside(first, 1), *above},   {n, *above},
+        {beside(second, 1), second.posture.half_space}, {beside(second, -1), *below}, {-n, *below}};
     double proven = infinity;
     for (std::size_t k = 0; k < wall.size(); ++k)
       proven = std::min(proven, values_.least_between(wall[k].half_space, wall[k].up,

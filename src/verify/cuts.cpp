@@ -128,9 +128,8 @@ std::optional<HalfSpace> check_cut(Verdict& verdict, const Path& place, const Re
   const std::size_t rates = cut.rates ? cut.rates->size() : 0;
   const bool right =
       (rates == 0 || rates == grasp.drives.size()) &&
-      (rates == 0 || std::all_of(cut.rates->begin(), cut.rates->end(), [](double rate) {
-         return rate >= 0 && std::isfinite(rate);
-       }));
+      (rates == 0 || std::all_of(cut.rates->begin(), cut.rates->end(),
+                                 [](double rate) { return rate >= 0 && std::isfinite(rate); }));
   verdict.check(place / "rates", "rates are of the drives, and at least 0", right);
   if (!right) return {};
   const HalfSpace half = half_space(grasp, load, cut, options, t);

@@ -129,8 +129,7 @@ void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>&
     verdict.check(Path() / "best", "is null where nothing is held", !best.best);
     verdict.check(Path() / "lower_bound", "is null where nothing is held", !best.lower_bound);
     check_null(verdict, best, "is null where nothing is held");
-    return check_cuts(verdict, grasp, best.cuts, best.options,
-                      most_held(grasp, best.options),
+    return check_cuts(verdict, grasp, best.cuts, best.options, most_held(grasp, best.options),
                       "cuts prove that the force cap is not enough: they leave nothing on the "
                       "unit sphere");
   }

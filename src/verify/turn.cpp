@@ -250,10 +250,10 @@ void check_wall(const Turning<3>& turning, const Path& place, const std::vector<
                   angle_between(p, q) < 3.1L);
     const auto half =
         check_cut(verdict, place[k], turning.grasp, wall[k].cut, turning.options, level);
-    verdict.check(place[k], "the part's cut proves the bound all along it",
-                  half ? (half->b - least_on_arc(half->a, p, q)) / std::max(std::abs(half->b), 1e-3L)
-                       : 1,
-                  of_value);
+    verdict.check(
+        place[k], "the part's cut proves the bound all along it",
+        half ? (half->b - least_on_arc(half->a, p, q)) / std::max(std::abs(half->b), 1e-3L) : 1,
+        of_value);
   }
 }
 
@@ -269,21 +269,21 @@ void check_way(const Turning<3>& turning, const Path& place, const WayClaim& way
   verdict.check(place / "lower_bound", "the bound is null only where there is no way",
                 way.lower_bound.has_value() == !is_none);
   if (way.status == Status::optimal)
-    verdict.check(place / "status", "an optimal way is within the gap of its bound",
-                  way.peak ? (*way.peak - bound) /
-                                 std::max(Real{*way.peak},
-                                          little(turning.grasp, turning.options.objective))
-                           : 1,
-                  gap + of_value);
+    verdict.check(
+        place / "status", "an optimal way is within the gap of its bound",
+        way.peak ? (*way.peak - bound) /
+                       std::max(Real{*way.peak}, little(turning.grasp, turning.options.objective))
+                 : 1,
+        gap + of_value);
   if (!way.wall.empty())
     return check_wall(turning, place / "wall", way.wall, from, to,
                       is_none ? most_held(turning.grasp, turning.options) : bound);
   const Real ends = std::max(turning.needed(place, from), turning.needed(place, to));
-  verdict.check(place / "lower_bound", "without a wall an end of the way needs the bound",
-                is_none ? (ends < std::numeric_limits<Real>::infinity() ? 1 : 0)
-                        : (bound - ends) / std::max(bound, little(turning.grasp,
-                                                                  turning.options.objective)),
-                of_value);
+  verdict.check(
+      place / "lower_bound", "without a wall an end of the way needs the bound",
+      is_none ? (ends < std::numeric_limits<Real>::infinity() ? 1 : 0)
+              : (bound - ends) / std::max(bound, little(turning.grasp, turning.options.objective)),
+      of_value);
 }
 
 void check_turn(const Turning<3>& turning, const Path& place, const TurnClaim<3>& turn,

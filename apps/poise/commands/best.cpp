@@ -14,9 +14,9 @@ Reply rank(const Asked& asked, const std::string& table) {
     warn(file.warnings);
     const Candidates<Dim> candidates = read_candidates<Dim>(table);
     const auto list = ranked<Dim>(file, grasp, asked.question, candidates);
-    return {asked.json ? lines_of<Dim>(candidates, list)
-                       : report<Dim>(file, grasp, asked.question, candidates, list,
-                                     style_of_output()),
+    return {asked.json
+                ? lines_of<Dim>(candidates, list)
+                : report<Dim>(file, grasp, asked.question, candidates, list, style_of_output()),
             std::any_of(list.begin(), list.end(), [](const auto& each) { return each.holdable; })};
   });
 }

@@ -17,8 +17,12 @@ std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp, const Quest
   const auto value = [&](double value) {
     return by_grip ? grip_text(grasp, value) : newtons(std::sqrt(value));
   };
-  std::vector<std::string> headings{"rank", "row", Dim == 3 ? "<up" : "posture",
-                                    by_grip ? "grip" : "force norm", "turn", "peak of the turn",
+  std::vector<std::string> headings{"rank",
+                                    "row",
+                                    Dim == 3 ? "<up" : "posture",
+                                    by_grip ? "grip" : "force norm",
+                                    "turn",
+                                    "peak of the turn",
                                     "after"};
   const std::size_t columns = std::min(most_columns, candidates.others.size());
   for (std::size_t k = 0; k < columns; ++k) headings.push_back("<" + candidates.others[k]);

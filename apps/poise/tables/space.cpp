@@ -95,8 +95,7 @@ std::string report(const SpatialFile& file, const Grasp<3>& grasp, const BestAns
   if (answer.now && answer.turn)
     text += "\n" + taken_text(grasp, answer.orientation, *answer.now, lowest, *answer.turn, style);
   if (answer.now && answer.within_reach)
-    text +=
-        "\n" + reach_text(grasp, answer.orientation, *answer.now, *answer.within_reach, style);
+    text += "\n" + reach_text(grasp, answer.orientation, *answer.now, *answer.within_reach, style);
   if (differ) text += "\n" + wrapped(why_pinching_costs<3>(grasp, lowest, *pinched));
   if (!pinched)
     text += "\n" + wrapped(lowest.manner == Manner::pinched

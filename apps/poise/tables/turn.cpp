@@ -36,12 +36,12 @@ std::string peak_text(const Grasp<Dim>& grasp, const std::string& whole, const T
     std::string text;
     for (const UnholdableStretch<Dim>& stretch : peak.unholdable) {
       const bool is_single = std::abs(stretch.to - stretch.from) < 1e-4;
-      text += fmt::format(
-          "{} it cannot be held {} of the turn: {}. ", text.empty() ? whole : "And",
-          is_single ? fmt::format("after {}", degrees_text(std::abs(stretch.at)))
-                    : fmt::format("from {} to {}", degrees_text(std::abs(stretch.from)),
-                                  degrees_text(std::abs(stretch.to))),
-          reason_text(grasp, stretch.posture));
+      text +=
+          fmt::format("{} it cannot be held {} of the turn: {}. ", text.empty() ? whole : "And",
+                      is_single ? fmt::format("after {}", degrees_text(std::abs(stretch.at)))
+                                : fmt::format("from {} to {}", degrees_text(std::abs(stretch.from)),
+                                              degrees_text(std::abs(stretch.to))),
+                      reason_text(grasp, stretch.posture));
     }
     text.pop_back();
     return text;
@@ -93,12 +93,12 @@ std::string taken_text(const Grasp<2>& grasp, const Posture<2>& now, const Postu
   if (degrees_text(std::abs(taken.straight.angle)) == degrees_text(0)) return {};
   std::string text = peak_text<2>(grasp, "On this turn", taken.straight, now, then);
   if (taken.other && taken.other->peak < (1 - worth_a_way) * taken.straight.peak)
-    text += " " + peak_text<2>(grasp,
-                               fmt::format("The other way round, by {} {},",
-                                           degrees_text(std::abs(taken.other->angle)),
-                                           taken.other->angle < 0 ? "clockwise"
-                                                                  : "counter-clockwise"),
-                               *taken.other, now, then);
+    text +=
+        " " + peak_text<2>(grasp,
+                           fmt::format("The other way round, by {} {},",
+                                       degrees_text(std::abs(taken.other->angle)),
+                                       taken.other->angle < 0 ? "clockwise" : "counter-clockwise"),
+                           *taken.other, now, then);
   return wrapped(text);
 }
 
@@ -119,8 +119,8 @@ std::string taken_text(const Grasp<3>& grasp, const Eigen::Quaterniond& start,
     text += fmt::format(" A way of {} steps needs only {}", way->ups.size() - 1,
                         value_text(grasp, objective, way->peak));
   if (way->status == Status::optimal && is_better)
-    text += fmt::format("; no way needs less than {}.",
-                        value_text(grasp, objective, way->lower_bound));
+    text +=
+        fmt::format("; no way needs less than {}.", value_text(grasp, objective, way->lower_bound));
   else if (way->status == Status::gap)
     text += fmt::format("{} That no way needs less is not proven: one may need only {}.",
                         is_better ? "." : "", value_text(grasp, objective, way->lower_bound));
