@@ -139,8 +139,11 @@ void check_turn(Verdict& verdict, const Path& place, const Grasp<2>& given, cons
                   of_angle);
     turning.check_peak(way, claim, up_at, 0);
   };
-  verdict.check(place / "turn_deg", "the turn is at most half a turn",
-                std::abs(turn.turn_deg) - 180, of_angle);
+  const bool is_all = options.domain.value_or(Domain::all) == Domain::all;
+  verdict.check(place / "turn_deg", "the turn is the shorter way round in the domain [degrees]",
+                std::abs(turn.turn_deg) - (is_all ? 180 : 360), of_angle);
+  verdict.check(place / "other_way", "in all postures there is another way round",
+                !is_all || turn.other_way || turn.turn_deg == 0);
   check_way(place, turn);
   if (!turn.other_way) return;
   check_way(place / "other_way", *turn.other_way);

@@ -124,13 +124,15 @@ std::string report(const PlanarFile& file, const Grasp<2>& grasp, const BestAnsw
   if (differ) shown.emplace_back("best pinched", pinched);
   Table summary({"<", "", "", "<", "<"});
   if (answer.now) add_posture(summary, "now", grasp, *answer.now, "");
+  const auto turn = [&](const Minimum<2>& posture) {
+    if (&posture == &lowest && answer.turn) return answer.turn->straight.angle;
+    return std::remainder(posture.optimum.angle - *file.angle, 2 * std::numbers::pi);
+  };
   for (const auto& [which, posture] : shown)
     add_posture<2>(summary, which, grasp, *posture,
-                   !file.angle ? ""
-                   : ties_with(*answer.now, *posture)
-                       ? "stay: it is as good"
-                       : turn_text(std::remainder(posture->optimum.angle - *file.angle,
-                                                  2 * std::numbers::pi)));
+                   !file.angle                        ? ""
+                   : ties_with(*answer.now, *posture) ? "stay: it is as good"
+                                                      : turn_text(turn(*posture)));
   text += summary.text(style);
   if (answer.now && answer.turn)
     text += "\n" + taken_text(grasp, *answer.now, lowest, *answer.turn, style);
