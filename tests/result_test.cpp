@@ -134,7 +134,8 @@ TEST(ResultDocument, OfAHoldHasThePromisedKeys) {
   const Json document = parsed(poise::document(grasp, answer));
   EXPECT_EQ(keys(document), with(document_keys, hold_keys));
   EXPECT_EQ(document["command"], "hold");
-  EXPECT_EQ(document["options"], (Json{{"force_cap", 1e6}, {"objective", "effort"}, {"angle_deg", 30.0}}));
+  EXPECT_EQ(document["options"],
+            (Json{{"force_cap", 1e6}, {"objective", "effort"}, {"angle_deg", 30.0}}));
   EXPECT_EQ(document["angle_deg"], 30.0);
   EXPECT_NEAR(document["effort"], 300, 1e-9);
   EXPECT_EQ(document["fingers"][0]["finger"], "0");
