@@ -35,7 +35,7 @@ Vector<3> horizontal(const Vector<3>& up, const Vector<3>& d) {
   return (up - d.dot(up) * d).normalized();
 }
 
-RC_GTEST_PROP(Tie, OfACircleTheNearestPostureIsNamed, ()) {
+RC_GTEST_PROP(Tie, OfACircleTheLeastTurnIsNamed, ()) {
   if (!one_in(300)) return;
   const Vector<3> d = random_rotation() * Vector<3>::UnitX();
   const bool is_grip = one_in(2);
@@ -48,9 +48,10 @@ RC_GTEST_PROP(Tie, OfACircleTheNearestPostureIsNamed, ()) {
   const Posture<3>& named = answer.best.best();
   const double least = is_grip ? 10 / (2 * mu) : 100 * (1 / (mu * mu) + 1) / 2;
   RC_ASSERT(named.value() <= least * (1 + 2 * tie));
-  // A minimum that was found anyway is left for a turn that is less by a hundredth of a radian.
-  RC_ASSERT(angle(named.up, horizontal(*file.up, d)) < 1e-4 ||
-            angle(named.up, *file.up) < std::asin(off) + 0.0101);
+  // A lone minimum that was found anyway is left for a turn that is less by a hundredth of a
+  // radian.
+  const bool is_alone = answer.best.minima.size() == 1 || !is_grip;
+  RC_ASSERT(angle(named.up, *file.up) < std::asin(off) + (is_alone ? 0.0101 : 1e-5));
 }
 
 // With mu = 0.5 it costs as much to rest on one finger.
@@ -85,7 +86,7 @@ TEST(Tie, OfADomainTheNearestPostureIsNamed) {
     const double at = degrees * pi / 180, end = std::clamp(at, -pi / 6, pi / 6);
     file.up = Vector<3>(0.4, std::sin(at), std::cos(at)).normalized();
     const Posture<3> named = best(file, Objective::grip).best.best();
-    EXPECT_NEAR(angle(named.up, {0, std::sin(end), std::cos(end)}), 0, 1e-4) << degrees;
+    EXPECT_NEAR(angle(named.up, {0, std::sin(end), std::cos(end)}), 0, 2e-3) << degrees;
   }
 }
 

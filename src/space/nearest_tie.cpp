@@ -17,8 +17,9 @@ using search::Oracle;
 /// this from the nearest posture.
 constexpr double worth = 0.01;
 constexpr int most_holds = 400, most_sections = 30;
-/// What rounding may make of a unit vector on a plane; and a plane of no thickness is given this.
-constexpr double rounding = 1e-12, thickness = 1e-9;
+/// What rounding may make of a unit vector on two planes; the square of the sine of planes that are
+/// parallel but for rounding; and a plane of no thickness is given this.
+constexpr double rounding = 1e-10, parallel = 1e-14, thickness = 1e-9;
 
 double turn(const Vector<3>& from, const Vector<3>& to) {
   return std::atan2(from.cross(to).norm(), from.dot(to));
@@ -59,10 +60,10 @@ class Uncut {
       candidates_.push_back(u);
   }
   void meet(const search::Plane& a, const search::Plane& b) {
-    const Vector<3> along = a.n.cross(b.n);
-    const double square = along.squaredNorm(), cosine = a.n.dot(b.n);
-    if (!(square > rounding)) return;
-    const Vector<3> middle = ((a.b - cosine * b.b) * a.n + (b.b - cosine * a.b) * b.n) / square;
+    const Vector<3> apart = b.n - a.n, along = a.n.cross(apart);  // without cancellation
+    const double square = along.squaredNorm();
+    if (!(square > parallel)) return;
+    const Vector<3> middle = ((a.b - b.b) * b.n + b.b * apart).cross(along) / square;
     const double rest = 1 - middle.squaredNorm();
     if (!(rest >= 0)) return;
     for (const double side : {1.0, -1.0})
