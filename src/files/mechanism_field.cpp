@@ -31,7 +31,7 @@ double extent(const Pad& pad, const Vector<3>& direction) {
 Pad read_points(const Field& field, double unit, const Vector<3>& normal) {
   Pad pad;
   const Field points = field.get("points", "a list of [x, y, z]");
-  for (const Field& point : points.list()) pad.points.push_back(unit * point.vector<3>());
+  for (const Field& point : points.list()) pad.points.emplace_back(unit * point.vector<3>());
   if (pad.points.empty()) points.fail("is empty, must hold a point");
   if (const auto shares = field.find("shares")) {
     double sum = 0;
