@@ -87,9 +87,8 @@ void make(benchmark::State& state) {
     contacts.push_back(c.grasp.contacts());
     for (Contact<2>& contact : contacts.back()) contact.finger.clear();
   }
-  measure<3>(state, cases.size(), 50, [&](std::size_t i) {
-    benchmark::DoNotOptimize(Grasp<2>(Load<2>{}, contacts[i]));
-  });
+  measure<3>(state, cases.size(), 50,
+             [&](std::size_t i) { benchmark::DoNotOptimize(Grasp<2>(Load<2>{}, contacts[i])); });
 }
 
 void curve(benchmark::State& state) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "poise/best_posture.hpp"
-#include "poise/best_posture.hpp"
 
 namespace {
 

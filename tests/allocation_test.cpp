@@ -74,9 +74,11 @@ TEST(Allocation, OfHoldsWithUpTo16ContactsIsNone) {
     const Vector<2> up = up_at(theta);
     Hold<2> cold, warm;
     ASSERT_EQ(allocations_of([&] { cold = hold(grasp, up); }), 0U);
-    ASSERT_EQ(
-        allocations_of([&] { warm = hold<2>(grasp, grasp.loads().front().at(up_at(theta + 0.01)), grasp.weight(), cold.dual); }),
-        0U);
+    ASSERT_EQ(allocations_of([&] {
+                warm = hold<2>(grasp, grasp.loads().front().at(up_at(theta + 0.01)), grasp.weight(),
+                               cold.dual);
+              }),
+              0U);
     ++(cold.holdable ? held : unholdable);
   }
   EXPECT_GT(held, 100);

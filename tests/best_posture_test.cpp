@@ -79,7 +79,8 @@ RC_GTEST_PROP(BestPosture, MinimaAndWorstAreTheCurvesOptima, ()) {
   const Best<2> best = best_posture(grasp, random_settings());
   const auto maximum = std::find_if(best.proof.curve.optima.begin(), best.proof.curve.optima.end(),
                                     [](const Optimum& o) { return o.maximum; });
-  RC_ASSERT(best.minima.size() == static_cast<std::size_t>(maximum - best.proof.curve.optima.begin()));
+  RC_ASSERT(best.minima.size() ==
+            static_cast<std::size_t>(maximum - best.proof.curve.optima.begin()));
   for (std::size_t i = 0; i < best.minima.size(); ++i)
     RC_ASSERT(best.minima[i].optimum.angle == best.proof.curve.optima[i].angle);
   RC_ASSERT(best.proof.worst.has_value() == (maximum != best.proof.curve.optima.end()));

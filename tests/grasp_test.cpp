@@ -90,6 +90,40 @@ TEST(Grasp, RefusesASafetyBelowOne) {
   }
 }
 
+TEST(Grasp, RefusesAMechanismThatHasNoMeaningAndSaysWhere) {
+  const Held held = two_fingers();
+  using Moves = std::vector<Drive<2>::Moved>;
+  const auto listed = [](std::vector<Drive<2>> drives) {
+    return Mechanism<2>{DriveKind::listed, {}, std::move(drives)};
+  };
+  const auto fingers = [](std::vector<Finger<2>> given) {
+    return Mechanism<2>{DriveKind::each, std::move(given), {}};
+  };
+  const Twist<2> left(-1, 0, 0), right(1, 0, 0);
+  const Drive<2> jaw{"jaw", Moves{{"0", left}}};
+  for (const auto& [path, mechanism] : std::vector<std::pair<std::string, Mechanism<2>>>{
+           {"drives", listed({})},
+           {"drives[0].moves", listed({{"jaw", {}}})},
+           {"drives[0].moves[0]", listed({{"jaw", Moves{{"thumb", left}}}})},
+           {"drives[0].moves[1]", listed({{"jaw", Moves{{"0", left}, {"0", right}}}})},
+           {"drives[0].moves[1]", listed({{"jaw", Moves{{"0", left}, {"1", Twist<2>::Zero()}}}})},
+           {"drives[0].moves[0]", listed({{"jaw", Moves{{"0", {not_a_number, 0, 0}}}}})},
+           {"drives[0].max", listed({{"jaw", Moves{{"0", left}}, not_a_number}})},
+           {"drives[1].name", listed({jaw, {"jaw", Moves{{"1", right}}}})},
+           {"fingers.thumb", fingers({{.name = "thumb"}})},
+           {"fingers.0", fingers({{.name = "0"}, {.name = "1"}, {.name = "0"}})},
+           {"fingers.0.closing", fingers({{.name = "0", .closing = {not_a_number, 0}}})},
+           {"fingers.0.closing", fingers({{.name = "0", .closing = {1, 0}}})},
+           {"fingers.0.max_force", fingers({{.name = "0", .max_force = not_a_number}})}}) {
+    try {
+      Grasp<2>(held.object, held.contacts, 1, mechanism);
+      ADD_FAILURE() << path << " was accepted";
+    } catch (const InvalidGrasp& error) {
+      EXPECT_EQ(error.path(), path);
+    }
+  }
+}
+
 TEST(Grasp, AcceptsTheLimitsOfWhatHasMeaning) {
   Held held = two_fingers();
   held.contacts[0].friction = 0;

@@ -89,7 +89,8 @@ RC_GTEST_PROP(Hold, OfAnyWrenchFromAnyStartIsTheSame, ()) {
   const double weight = held.object.weight;
   const Wrench<2> w = weight * Wrench<2>(coordinate(), coordinate(), coordinate());
   const Twist<2> start = weight * Twist<2>(coordinate(), coordinate(), coordinate());
-  const Hold<2> cold = hold<2>(grasp, w, grasp.weight(), Twist<2>::Zero()), warm = hold<2>(grasp, w, grasp.weight(), start);
+  const Hold<2> cold = hold<2>(grasp, w, grasp.weight(), Twist<2>::Zero()),
+                warm = hold<2>(grasp, w, grasp.weight(), start);
   RC_ASSERT(fault(grasp, RealWrench(w.cast<Real>()), cold) == "");
   RC_ASSERT(fault(grasp, RealWrench(w.cast<Real>()), warm) == "");
   RC_ASSERT(warm.holdable == cold.holdable);
@@ -101,7 +102,8 @@ RC_GTEST_PROP(Hold, FromTheNeighboursDualIsTheSame, ()) {
   const Grasp<2> grasp = held.grasp();
   const double theta = random_angle();
   const Hold<2> neighbour = hold(grasp, up_at(theta + 0.01));
-  const Hold<2> warm = hold<2>(grasp, grasp.loads().front().at(up_at(theta)), grasp.weight(), neighbour.dual);
+  const Hold<2> warm =
+      hold<2>(grasp, grasp.loads().front().at(up_at(theta)), grasp.weight(), neighbour.dual);
   RC_ASSERT(fault(grasp, theta, warm) == "");
   const Hold<2> cold = hold(grasp, up_at(theta));
   if (clearly(held, theta, cold.holdable)) RC_ASSERT(warm.holdable == cold.holdable);
@@ -113,7 +115,8 @@ TEST(Hold, FromTheDualOfAnUnholdableLoadIsTheSame) {
   const Grasp<2> grasp({1, {0, 0}}, {contact({0, 0}, {0, 1}, 1), contact({1, 0}, {0, 1}, 1)});
   const Hold<2> neighbour = hold(grasp, up_at(pi / 4 + 0.01));
   ASSERT_FALSE(neighbour.holdable);
-  const Hold<2> warm = hold<2>(grasp, grasp.loads().front().at(up_at(pi / 4 - 0.01)), grasp.weight(), neighbour.dual);
+  const Hold<2> warm = hold<2>(grasp, grasp.loads().front().at(up_at(pi / 4 - 0.01)),
+                               grasp.weight(), neighbour.dual);
   ASSERT_TRUE(warm.holdable);
   EXPECT_EQ(fault(grasp, pi / 4 - 0.01, warm), "");
 }
@@ -293,7 +296,8 @@ TEST(Hold, InTheForkOfTheFingersIsCradled) {
                                       contact({-0.6, -0.8}, {0.6, 0.8}, 0.5)});
   EXPECT_EQ(manner(grasp, grasp.loads().front(), up_at(0), hold(grasp, up_at(0))), Manner::cradled);
   const Grasp<2> square = squeezed(0.5).grasp();
-  EXPECT_EQ(manner(square, square.loads().front(), up_at(0), hold(square, up_at(0))), Manner::pinched);
+  EXPECT_EQ(manner(square, square.loads().front(), up_at(0), hold(square, up_at(0))),
+            Manner::pinched);
 }
 
 TEST(Hold, SaysWhichLimitAContactIsAt) {
@@ -342,7 +346,8 @@ TEST(Hold, OfNoLoadNeedsNoForce) {
 TEST(Hold, OfNoLoadStillPressesWithMinNormal) {
   Held held = squeezed(0.5);
   for (Contact<2>& c : held.contacts) c.min_normal = 3;
-  const Hold<2> found = hold<2>(held.grasp(), Wrench<2>::Zero(), held.grasp().weight(), Twist<2>::Zero());
+  const Hold<2> found =
+      hold<2>(held.grasp(), Wrench<2>::Zero(), held.grasp().weight(), Twist<2>::Zero());
   ASSERT_TRUE(found.holdable);
   EXPECT_NEAR(found.effort, 18, 1e-9);
   EXPECT_EQ(found.forces[0].limit, ForceLimit::min);
@@ -409,8 +414,10 @@ TEST(Hold, RefusesMisuse) {
   EXPECT_THROW(hold(grasp, Vector<2>(0, std::nan(""))), InvalidGrasp);
   EXPECT_THROW(hold(grasp, up_at(0), {0}), InvalidGrasp);
   EXPECT_THROW(hold(grasp, up_at(0), {std::nan("")}), InvalidGrasp);
-  EXPECT_THROW(hold<2>(grasp, Wrench<2>(0, infinity, 0), grasp.weight(), Twist<2>::Zero()), InvalidGrasp);
-  EXPECT_THROW(hold<2>(grasp, Wrench<2>::Zero(), grasp.weight(), Twist<2>(0, std::nan(""), 0)), InvalidGrasp);
+  EXPECT_THROW(hold<2>(grasp, Wrench<2>(0, infinity, 0), grasp.weight(), Twist<2>::Zero()),
+               InvalidGrasp);
+  EXPECT_THROW(hold<2>(grasp, Wrench<2>::Zero(), grasp.weight(), Twist<2>(0, std::nan(""), 0)),
+               InvalidGrasp);
 }
 
 }  // namespace

@@ -86,6 +86,66 @@ TEST(MechanismFile, InThePlaneAPadIsItsTwoEnds) {
   EXPECT_EQ(file.grasp().fingers().size(), 3U);
 }
 
+TEST(MechanismFile, InThePlaneAFingerWithoutALabelIsNamedAfterItsContactInTheFile) {
+  const auto file = file_of<2>(R"(poise: 1
+dimension: 2
+object: {weight: 10, com: [0, 0]}
+contacts:
+  - {position: [-3, 0], normal: [1, 0], friction: 0.6, pad: {size: 1}}
+  - {position: [0, 4], normal: [0, -1], friction: 0.6}
+  - {position: [3, 0], normal: [-1, 0], friction: 0.6, pad: {size: 1}}
+drives: [{moves: ['0'], along: [1, 0]}, {moves: ['1'], along: [0, -1]}]
+fingers: {2: {closing: [-1, 0]}}
+)");
+  const Grasp<2> grasp = file.grasp();
+  EXPECT_EQ(grasp.fingers(), (std::vector<std::string>{"0", "1", "2"}));
+  EXPECT_EQ(grasp.finger_of(2), 1U);
+  EXPECT_EQ(grasp.finger_of(4), 2U);
+}
+
+// A force along n + mu t has the part n.c + mu t.c along c: below 0 for both t the finger cannot
+// press along c, whatever holds the object.
+TEST(MechanismFile, AFingerMustCloseOnTheObject) {
+  const auto with = [](const std::string& closing) {
+    return plane + "fingers: {left: {closing: " + closing + "}}\n";
+  };
+  const std::string refused =
+      "8:27: fingers.left.closing: points away from the object, where no contact of the finger can "
+      "push: must be the direction in which it pushes";
+  EXPECT_EQ(message(with("[-1, 0]")), refused);
+  // The edge of the cone is at atan 0.6 = 31 degrees from the normal: 121 degrees are too many.
+  EXPECT_EQ(message(with("[-0.601, 1]")), refused);
+  const std::string doubted =
+      "f.yaml:8:27: fingers.left.closing: goes against the inward normals of its contacts: does it "
+      "point away from the object?";
+  EXPECT_EQ(file_of<2>(with("[-0.599, 1]")).warnings, std::vector<std::string>{doubted});
+  EXPECT_TRUE(file_of<2>(with("[0, 1]")).warnings.empty());  // a fork that is driven aside
+  // Of two contacts it is enough that one can.
+  EXPECT_TRUE(file_of<2>(plane + "  - {position: [0, 30], normal: [-1, -1], friction: 0, finger: "
+                                 "left}\nfingers: {left: {closing: [-1, 0]}}\n")
+                  .warnings.empty());
+}
+
+TEST(MechanismFile, ADriveThatOnlyOpensIsDoubted) {
+  const std::string doubt =
+      ": moves its fingers away from the object: the grip does not count what it holds. Is it the "
+      "way in which it closes?";
+  const auto warnings = [](const std::string& text) {
+    return std::visit([](const auto& file) { return file.warnings; }, read(text));
+  };
+  EXPECT_EQ(warnings(plane + "drives: [{moves: [left], along: [-1, 0]}]\n"),
+            std::vector<std::string>{"f.yaml:8:33: drives[0].along" + doubt});
+  // A slide that moves both jaws closes one of them.
+  EXPECT_TRUE(warnings(plane + "drives: [{moves: [left, right], along: [-1, 0]}]\n").empty());
+  // Of the axes through (-25, -60, 0) mm along +y and -y one turns the pad on the left inwards.
+  const auto turned = [&](const std::string& axis) {
+    return warnings(space + "drives: [{moves: [left], about: {axis: [0, " + axis +
+                    ", 0], through: [-25, 0, -60]}}]\n");
+  };
+  EXPECT_TRUE(turned("1").empty());
+  EXPECT_EQ(turned("-1"), std::vector<std::string>{"f.yaml:11:33: drives[0].about" + doubt});
+}
+
 TEST(MechanismFile, DrivesAreEachUnlessTheFileSaysOtherwise) {
   EXPECT_EQ(file_of<2>(plane).mechanism, Mechanism<2>{});
   EXPECT_EQ(file_of<2>(plane + "drives: coupled\n").mechanism.kind, DriveKind::coupled);
@@ -164,6 +224,27 @@ TEST(MechanismFile, WhatIsWrongIsSaid) {
   EXPECT_EQ(message(plane + "drives: all\n"), "8:9: drives: is \"all\", must be each or coupled");
   EXPECT_EQ(message(plane + "drives: []\n"),
             "8:9: drives: is empty, must be each, coupled or a list of drives");
+  for (const std::string& value : {"3", "true", "{moves: [left], along: [1, 0]}"})
+    EXPECT_NE(message(plane + "drives: " + value + "\n")
+                  .find(", must be each, coupled or a list of drives"),
+              std::string::npos);
+  EXPECT_EQ(message(plane + "drives: [3]\n"),
+            "8:10: drives[0]: is 3, must be a mapping (keys: name, moves, along, about, max)");
+  EXPECT_EQ(message(plane + "drives: [{moves: left, along: [1, 0]}]\n"),
+            "8:18: drives[0].moves: is \"left\", must be a list of fingers");
+  EXPECT_EQ(message(plane + "drives: [{moves: [], along: [1, 0]}]\n"),
+            "8:18: drives[0].moves: is empty, must name a finger");
+  EXPECT_EQ(message(plane + "drives: [{moves: [left], along: [1, 0], max: .nan}]\n"),
+            "8:46: drives[0].max: is nan, must be a finite number");
+  EXPECT_EQ(message(plane + "drives:\n"
+                            "  - {name: jaw, moves: [left], along: [1, 0]}\n"
+                            "  - {name: jaw, moves: [right], along: [-1, 0]}\n"),
+            "10:12: drives[1].name: is \"jaw\" once more, must be the name of no other drive");
+  // A drive without a name has that of its first finger.
+  EXPECT_EQ(message(plane + "drives:\n"
+                            "  - {name: right, moves: [left], along: [1, 0]}\n"
+                            "  - {moves: [right], along: [-1, 0]}\n"),
+            "10:5: drives[1].name: is \"right\" once more, must be the name of no other drive");
   EXPECT_EQ(message(plane + "drives: [{moves: [thumb], along: [1, 0]}]\n"),
             "8:19: drives[0].moves[0]: is \"thumb\", must be the finger of a contact");
   EXPECT_EQ(message(plane + "drives: [{moves: [left]}]\n"),
@@ -180,6 +261,25 @@ TEST(MechanismFile, WhatIsWrongIsSaid) {
             "8:29: fingers.left.max_force: is 0, must be above 0");
   EXPECT_EQ(message(plane + "fingers: {thumb: {max_force: 1}}\n").substr(0, 19),
             "8:11: fingers.thumb");
+  EXPECT_EQ(message(plane + "fingers: {left: {max_force: 1}, left: {max_force: 2}}\n"),
+            "8:33: fingers.left: is given twice, first in line 8");
+  EXPECT_EQ(message(plane + "fingers: {left: {closing: [.nan, 0]}}\n"),
+            "8:28: fingers.left.closing[0]: is nan, must be a finite number");
+  EXPECT_EQ(message(plane + "fingers: [left]\n"),
+            "8:10: fingers: is a list of 1, must be a mapping (keys: left, right)");
+  EXPECT_EQ(message(plane + "  - {position: [30, 5], normal: [-1, 0], friction: 1, finger: right}\n"
+                            "fingers: 3\n"),
+            "9:10: fingers: is 3, must be a mapping (keys: left, right)");
+  // Contacts without a label are fingers that are called by their numbers.
+  const std::string two_called_2 =
+      plane +
+      "  - {position: [30, 5], normal: [-1, 0], friction: 1}\n"
+      "  - {position: [30, 9], normal: [-1, 0], friction: 1, finger: '2'}\n";
+  EXPECT_EQ(message(two_called_2), "accepted");
+  EXPECT_EQ(
+      message(two_called_2 + "drives: [{moves: ['2'], along: [-1, 0]}]\n"),
+      "10:19: drives[0].moves[0]: is \"2\", which two fingers are called: the contact of that "
+      "number must be given a label");
   EXPECT_EQ(message(plane + "objective: force\n"),
             "8:12: objective: is \"force\", must be grip or effort");
   const auto with_pad = [](const std::string& pad) {

@@ -4,11 +4,11 @@
 #include <Eigen/LU>
 #include <random>
 
-#include "paper_disks.hpp"
-#include "poise/hold.hpp"
 #include "apps/paper/disk.hpp"
 #include "apps/paper/sampling.hpp"
 #include "apps/paper/two_contacts.hpp"
+#include "paper_disks.hpp"
+#include "poise/hold.hpp"
 
 namespace poise::study {
 namespace {
@@ -31,7 +31,8 @@ TEST(PaperEquations, GraspMatrixAndLoadAreTheLibrarys) {
     const Forces f{.N1 = 1, .F1 = 2, .N2 = 3, .F2 = 5};
     EXPECT_NEAR((grasp_matrix(disk) * f.vector() - G * in_library_signs(f)).norm(), 0, 1e-14);
     for (const double theta : postures)
-      EXPECT_NEAR((load(disk, theta) - grasp_of(disk).loads().front().at(up_at(theta))).norm(), 0, 1e-13);
+      EXPECT_NEAR((load(disk, theta) - grasp_of(disk).loads().front().at(up_at(theta))).norm(), 0,
+                  1e-13);
   }
 }
 

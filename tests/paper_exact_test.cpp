@@ -3,11 +3,11 @@
 
 #include <random>
 
-#include "paper_disks.hpp"
-#include "poise/best_posture.hpp"
 #include "apps/paper/counts.hpp"
 #include "apps/paper/exact.hpp"
 #include "apps/paper/two_contacts.hpp"
+#include "paper_disks.hpp"
+#include "poise/best_posture.hpp"
 
 namespace poise::study {
 namespace {

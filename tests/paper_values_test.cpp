@@ -1,11 +1,11 @@
 // The solver on the paper's disk, against the paper's formulas and values: docs/paper.md.
 #include <gtest/gtest.h>
 
+#include "apps/paper/exact.hpp"
 #include "checks.hpp"
 #include "paper_disks.hpp"
 #include "poise/best_posture.hpp"
 #include "random_grasps.hpp"
-#include "apps/paper/exact.hpp"
 
 namespace poise::test {
 namespace {
@@ -59,7 +59,8 @@ TEST(Paper, OrderOfEqualMinimaIsPositiveFirst) {
 TEST(Paper, EndsOfTheRangeRestOnOneFinger) {
   const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinching_up});
   EXPECT_EQ(best.best().manner, Manner::resting);
-  EXPECT_FALSE(all_loaded(grasp_of(paper_table[5].disk), best.best().hold(), grasp_of(paper_table[5].disk).weight()));
+  EXPECT_FALSE(all_loaded(grasp_of(paper_table[5].disk), best.best().hold(),
+                          grasp_of(paper_table[5].disk).weight()));
 }
 
 TEST(Paper, ConeEdgesMeetOnTheVerticalThroughTheComAtB) {

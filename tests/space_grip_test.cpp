@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
-
 #include <nlohmann/json.hpp>
 
 #include "ask/ask.hpp"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "poise/best_posture.hpp"
-#include "poise/best_posture.hpp"
 #include "random_space_grasps.hpp"
 #include "space_checks.hpp"
 
@@ -116,7 +115,9 @@ RC_GTEST_PROP(SpaceLaws, EffortIsConvexInTheLoad, ()) {
     a[k] = held.object.weight * coordinate();
     b[k] = held.object.weight * coordinate();
   }
-  const auto at = [&](const Wrench<3>& w) { return hold<3>(grasp, w, grasp.weight(), Twist<3>::Zero()); };
+  const auto at = [&](const Wrench<3>& w) {
+    return hold<3>(grasp, w, grasp.weight(), Twist<3>::Zero());
+  };
   const Hold<3> one = at(a), other = at(b);
   if (!one.holdable || !other.holdable) return;
   if (std::sqrt(one.effort + other.effort) > 1000 * held.object.weight) return;

@@ -82,8 +82,8 @@ struct Hold {
   /// The tangential force of each point of each pad, in the order of contacts and points [N, object
   /// frame]; empty without pads.
   std::vector<Vector<3>> pad_forces;
-  Objective objective{Objective::effort};     ///< in which the forces are least, and lower_bound is
-  double grip{0};                             ///< of objective grip: F of the forces [grip_unit()]
+  Objective objective{Objective::effort};  ///< in which the forces are least, and lower_bound is
+  double grip{0};                          ///< of objective grip: F of the forces [grip_unit()]
   /// Of the drives, >= 0, where they say something: docs/theory.md, (9) and (10).
   SmallVector<double, 4> rates;
 

@@ -10,6 +10,7 @@
 #include "poise/grip.hpp"
 #include "poise/turn.hpp"
 #include "shape/sizes.hpp"
+#include "space/nearest_tie.hpp"
 
 namespace poise {
 namespace {
@@ -228,24 +229,61 @@ BestAnswer<2> best(const PlanarFile& file, const Grasp<2>& grasp, const Question
   return answer;
 }
 
-/// The posture in which it is held now counts as found: it may be all that can be held. It wins
-/// ties, as far as the wanted gap allows.
-void consider(Best<3>& best, const Posture<3>& now, const SpatialSettings& settings) {
-  constexpr double tie = 1e-6;
-  if (!now.holdable()) return;
-  if (best.holdable() && best.best().value() < now.value() &&
-      (best.best().value() * (1 + tie) < now.value() ||
-       now.value() - best.lower_bound > settings.gap * now.value()))
-    return;
-  if (settings.tilt && now.up.dot(settings.tilt->from.normalized()) < std::cos(settings.tilt->most))
-    return;
-  const double value = now.value();
-  best.minima.insert(best.minima.begin(), {now});
+/// Of objectives that differ by less, in parts, the present posture wins, then the least turn.
+constexpr double tie = 1e-6;
+
+/// What a tie with the best may need, as far as the wanted gap allows.
+double most_of_ties(const Best<3>& best, double gap) {
+  const double value = best.best().value();
+  const double most = value * (1 + tie);
+  if (best.status != Status::optimal) return most;
+  return std::clamp(best.lower_bound / (1 - gap), value, most);
+}
+
+/// Puts a posture before the minima.
+void put_first(Best<3>& best, const Posture<3>& posture, double gap) {
+  const double value = posture.value();
+  best.minima.insert(best.minima.begin(), {posture});
   if (best.pinched) ++*best.pinched;
-  if (now.manner == Manner::pinched) best.pinched = 0;
   best.lower_bound = std::min(best.lower_bound, value);
   best.relative_gap = value > 0 ? (value - best.lower_bound) / value : 0;
-  best.status = best.relative_gap <= settings.gap ? Status::optimal : Status::gap;
+  best.status = best.relative_gap <= gap ? Status::optimal : Status::gap;
+}
+
+/// The posture in which it is held now counts as found: it may be all that can be held. It wins
+/// ties, else the least turn from it does.
+void name_least_turn(Best<3>& best, const Grasp<3>& grasp, const SpatialSettings& settings,
+                     const Posture<3>& now) {
+  const bool in_domain = !settings.tilt || now.up.dot(settings.tilt->from.normalized()) >=
+                                               std::cos(settings.tilt->most);
+  if (now.holdable() && in_domain &&
+      (!best.holdable() || now.value() <= most_of_ties(best, settings.gap))) {
+    put_first(best, now, settings.gap);
+    if (now.manner == Manner::pinched) best.pinched = 0;
+    return;
+  }
+  if (!best.holdable()) return;
+  const double most = most_of_ties(best, settings.gap);
+  std::size_t nearest = 0;
+  for (std::size_t k = 1; k < best.minima.size(); ++k)
+    if (best.minima[k].value() <= most &&
+        now.up.dot(best.minima[k].up) > now.up.dot(best.minima[nearest].up))
+      nearest = k;
+  const Minimum<3>& known = best.minima[nearest];
+  const auto up = nearest_tie(grasp, settings, now.up, known.up, best.best().value(), most);
+  const Posture<3> posture =
+      up ? posture_at(grasp, *up, {settings.force_cap, settings.objective}) : Posture<3>{};
+  if (up && posture.value() <= most) {
+    // It lies where the known one does: inside what can be held, or at its border.
+    const bool at_border = known.manner == Manner::pinched && best.pinched != nearest;
+    put_first(best, posture, settings.gap);
+    if (posture.manner == Manner::pinched && !at_border) best.pinched = 0;
+    return;
+  }
+  const auto first = best.minima.begin(), chosen = first + static_cast<std::ptrdiff_t>(nearest);
+  std::rotate(first, chosen, chosen + 1);
+  if (best.pinched && *best.pinched <= nearest)
+    best.pinched = *best.pinched == nearest ? 0 : *best.pinched + 1;
 }
 
 /// Refuses what is for the plane.
@@ -262,7 +300,7 @@ BestAnswer<3> best(const SpatialFile& file, const Grasp<3>& grasp, const Questio
   const Vector<3> now = answer.orientation.conjugate() * Vector<3>::UnitZ();
   if (question.orientation || file.up)
     answer.now = posture_at(grasp, now, {settings.force_cap, settings.objective});
-  if (answer.now) consider(answer.best, *answer.now, settings);
+  if (answer.now) name_least_turn(answer.best, grasp, settings, *answer.now);
   if (answer.best.holdable() && question.with_turn) {
     const TurnSettings of_turn = turn_settings(settings);
     const Posture<3> start =
@@ -338,7 +376,10 @@ std::optional<Vector<3>> best_up(const SpatialFile& file, const Grasp<3>& grasp,
                                  const Question& question) {
   SpatialSettings settings = spatial_settings(file, question, grasp.is_general());
   settings.starts = 0;
-  const Best<3> best = best_posture(grasp, settings);
+  Best<3> best = best_posture(grasp, settings);
+  if (file.up)
+    name_least_turn(best, grasp, settings,
+                    posture_at(grasp, *file.up, {settings.force_cap, settings.objective}));
   return best.holdable() ? std::optional(best.best().up) : std::nullopt;
 }
 

@@ -75,8 +75,8 @@ Real pad_power(const Contact<3>& contact, const PadSlide<Real>& z, Real mu) {
   return sum;
 }
 
-/// The greatest z . f - effort / 2 over the cone, and the N where it is: the right-hand side of (11)
-/// of docs/theory.md, "Pads", falls in N and is convex, so that Newton's steps from below end.
+/// The greatest z . f - effort / 2 over the cone, and the N where it is: the right-hand side of
+/// (11) of docs/theory.md, "Pads", falls in N and is convex, so that Newton's steps from below end.
 template <class Real>
 Real pad_phi(const Contact<3>& contact, const PadSlide<Real>& z, Real mu) {
   const PadFrame frame(contact);

@@ -112,9 +112,9 @@ const std::string& Field::word(const std::vector<std::string_view>& words) const
   return *text;
 }
 
-std::vector<Field> Field::list() const {
+std::vector<Field> Field::list(const std::string& expected) const {
   const auto* parts = std::get_if<List>(&value_->data);
-  if (!parts) must_be("a list");
+  if (!parts) must_be(expected);
   std::vector<Field> fields;
   fields.reserve(parts->size());
   for (std::size_t i = 0; i < parts->size(); ++i) fields.push_back(part((*parts)[i], i));

@@ -41,7 +41,7 @@ class Field {
   const std::string& word(const std::vector<std::string_view>& words) const;
   template <int Dim>
   Vector<Dim> vector() const;
-  std::vector<Field> list() const;
+  std::vector<Field> list(const std::string& expected = "a list") const;
 
   /// A mapping all of whose keys are `known` and come once. Those of `elsewhere` are known too, but
   /// out of place here; `why` says so.

@@ -1,5 +1,6 @@
 #include "files/grasp_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "files/degrees.hpp"
@@ -261,8 +262,7 @@ Contact<Dim> read_contact(const Field& field, double unit, bool outward,
 }
 
 /// In the plane a pad is two contacts at its ends.
-std::vector<Contact<2>> ends_of_pad(const Field& pad, double unit, const Contact<2>& middle,
-                                    std::size_t index) {
+std::vector<Contact<2>> ends_of_pad(const Field& pad, double unit, const Contact<2>& middle) {
   pad.mapping({"size"});
   if (std::isfinite(middle.max_normal) || middle.min_normal > 0)
     pad.fail("is given with limits of the normal force, must have max_force of the finger instead");
@@ -272,7 +272,6 @@ std::vector<Contact<2>> ends_of_pad(const Field& pad, double unit, const Contact
   for (std::size_t k = 0; k < 2; ++k) {
     ends[k].position += (k == 0 ? -half : half) * tangent;
     ends[k].share = middle.share / 2;
-    if (middle.finger.empty()) ends[k].finger = std::to_string(index);
   }
   return ends;
 }
@@ -321,14 +320,21 @@ void read_contacts(const Field& root, double unit, CommonFile<Dim>& file) {
   const auto normals = root.find("normals");
   const bool outward = normals && normals->word({"inward", "outward"}) == "outward";
   const std::vector<Field> list = root.get("contacts", "a list").list();
+  const bool has_pads = std::any_of(list.begin(), list.end(), [](const Field& contact) {
+    return contact.find("pad").has_value();
+  });
   for (std::size_t i = 0; i < list.size(); ++i) {
     file.contacts.push_back(read_contact<Dim>(list[i], unit, outward, file.shape));
-    if constexpr (Dim == 2)
+    if constexpr (Dim == 2) {
+      // A pad makes two of one: then a finger's own name is that of the file's contact.
+      if (std::string& finger = file.contacts.back().finger; has_pads && finger.empty())
+        finger = std::to_string(i);
       if (const auto pad = list[i].find("pad")) {
-        const std::vector<Contact<2>> ends = ends_of_pad(*pad, unit, file.contacts.back(), i);
+        const std::vector<Contact<2>> ends = ends_of_pad(*pad, unit, file.contacts.back());
         file.contacts.pop_back();
         file.contacts.insert(file.contacts.end(), ends.begin(), ends.end());
       }
+    }
   }
 }
 

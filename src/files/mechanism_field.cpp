@@ -31,7 +31,7 @@ double extent(const Pad& pad, const Vector<3>& direction) {
 Pad read_points(const Field& field, double unit, const Vector<3>& normal) {
   Pad pad;
   const Field points = field.get("points", "a list of [x, y, z]");
-  for (const Field& point : points.list()) pad.points.push_back(unit * point.vector<3>());
+  for (const Field& point : points.list()) pad.points.emplace_back(unit * point.vector<3>());
   if (pad.points.empty()) points.fail("is empty, must hold a point");
   if (const auto shares = field.find("shares")) {
     double sum = 0;
@@ -111,21 +111,16 @@ void read_motion(const Field& field, double unit, Drive<Dim>& drive, Twist<Dim>&
 }
 
 template <int Dim>
-Drive<Dim> read_drive(const Field& field, double unit, const std::vector<std::string>& fingers) {
+Drive<Dim> read_drive(const Field& field, double unit) {
   field.mapping({"name", "moves", "along", "about", "max"});
   Drive<Dim> drive;
   Twist<Dim> twist = Twist<Dim>::Zero();
   read_motion<Dim>(field, unit, drive, twist);
   if (const auto max = field.find("max")) drive.max = max->above_zero();
-  const Field moves = field.get("moves", "a list of fingers");
-  for (const Field& finger : moves.list()) {
-    const std::string& name = finger.text();
-    if (std::find(fingers.begin(), fingers.end(), name) == fingers.end())
-      finger.fail("is \"" + name + "\", must be the finger of a contact");
-    for (const auto& moved : drive.moves)
-      if (moved.finger == name) finger.fail("is \"" + name + "\" once more, must be named once");
-    drive.moves.push_back({name, twist});
-  }
+  const std::string some_fingers = "a list of fingers";
+  const Field moves = field.get("moves", some_fingers);
+  for (const Field& finger : moves.list(some_fingers))
+    drive.moves.push_back({finger.text(), twist});
   if (drive.moves.empty()) moves.fail("is empty, must name a finger");
   const auto name = field.find("name");
   drive.name = name ? name->text() : drive.moves.front().finger;
@@ -158,25 +153,26 @@ Pad read_pad(const Field& field, double unit, const Vector<3>& normal) {
 template <int Dim>
 Mechanism<Dim> read_mechanism(const Field& root, double unit,
                               const std::vector<Contact<Dim>>& contacts, Mechanism<Dim> mechanism) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    names.push_back(contacts[i].finger.empty() ? std::to_string(i) : contacts[i].finger);
   if (const auto drives = root.find("drives")) {
     if (drives->is_text()) {
       mechanism.kind =
           drives->word({"each", "coupled"}) == "each" ? DriveKind::each : DriveKind::coupled;
     } else {
       mechanism.kind = DriveKind::listed;
-      for (const Field& drive : drives->list())
-        mechanism.drives.push_back(read_drive<Dim>(drive, unit, names));
-      if (mechanism.drives.empty())
-        drives->fail("is empty, must be each, coupled or a list of drives");
+      const std::string expected = "each, coupled or a list of drives";
+      for (const Field& drive : drives->list(expected))
+        mechanism.drives.push_back(read_drive<Dim>(drive, unit));
+      if (mechanism.drives.empty()) drives->fail("is empty, must be " + expected);
     }
   }
   if (const auto fingers = root.find("fingers")) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const std::string& name = contacts[i].finger;
+      if (name.empty() || std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name.empty() ? std::to_string(i) : name);
+    }
     fingers->mapping(Keys(names.begin(), names.end()));
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
     for (const std::string& name : names) {
       const auto given = fingers->find(name);
       if (!given) continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "dual/cone_pad.hpp"
 #include "files/degrees.hpp"
 #include "shape/number_text.hpp"
 
@@ -87,6 +88,52 @@ void check_normal(Doubts& doubts, const std::string& path, const std::optional<S
                "normals: outward");
 }
 
+/// The greatest power of a force with normal force 1 while the finger moves with a twist of unit
+/// speed about the object frame's origin.
+double power(const Contact<2>& contact, const Twist<2>& y) {
+  const Vector<2>&n = contact.normal, &r = contact.position;
+  const Vector<2> v(y[0] - y[2] * r.y(), y[1] + y[2] * r.x());
+  return n.dot(v) + contact.friction * (v - n.dot(v) * n).norm();
+}
+double power(const Contact<3>& contact, const Twist<3>& y) {
+  if (contact.pad)
+    return dual::pad_power(contact, dual::pad_slide<double>(contact, y), contact.friction);
+  const Vector<3>&n = contact.normal, omega = y.tail<3>();
+  const Vector<3> v = y.head<3>() + omega.cross(contact.position);
+  return n.dot(v) +
+         std::hypot(contact.friction * (v - n.dot(v) * n).norm(), contact.torsion * n.dot(omega));
+}
+
+/// Drives that only ever leave the object, so that the grip says nothing of them; and closing
+/// directions that go against the normals.
+template <int Dim>
+void check_mechanism(Doubts& doubts, const Grasp<Dim>& grasp) {
+  const Mechanism<Dim>& mechanism = grasp.mechanism();
+  for (const Finger<Dim>& finger : mechanism.fingers) {
+    bool against = finger.closing.cwiseAbs().maxCoeff() > 0;
+    for (const Contact<Dim>& contact : grasp.contacts())
+      if (contact.finger == finger.name)
+        against = against && contact.normal.dot(finger.closing.stableNormalized()) < -1e-9;
+    if (against)
+      doubts.add("fingers." + finger.name + ".closing",
+                 "goes against the inward normals of its contacts: does it point away from the "
+                 "object?");
+  }
+  if (mechanism.kind != DriveKind::listed) return;
+  for (std::size_t a = 0; a < mechanism.drives.size(); ++a) {
+    bool opens = true;
+    for (const auto& moved : mechanism.drives[a].moves)
+      for (const Contact<Dim>& contact : grasp.contacts())
+        if (contact.finger == moved.finger)
+          opens = opens && power(contact, moved.twist) < -1e-9 * moved.twist.norm();
+    if (opens)
+      doubts.add(
+          "drives[" + std::to_string(a) + "]." + (mechanism.drives[a].turns ? "about" : "along"),
+          "moves its fingers away from the object: the grip does not count what it holds. "
+          "Is it the way in which it closes?");
+  }
+}
+
 /// The path of the object in a scenario: "object", or "object.scenarios[1]" where there are some.
 std::string object_path(const Field& root, std::size_t scenario) {
   return root.follow("object").find("scenarios")
@@ -107,6 +154,7 @@ std::vector<std::string> doubts(const CommonFile<Dim>& file, const Grasp<Dim>& g
   check_radius(doubts, grasp, gripped ? "gripper" : "contacts");
   for (std::size_t k = 0; k < loads.size() && file.shape; ++k)
     check_com<Dim>(doubts, loads[k].com, *file.shape, object_path(root, k));
+  check_mechanism(doubts, grasp);
 
   std::map<std::vector<double>, std::size_t> positions;
   for (std::size_t i = 0; i < file.contacts.size(); ++i) {

@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -62,6 +63,8 @@ template <int Dim>
 
 /// A mean of unit normals below this length points nowhere.
 constexpr double least_mean_normal = 0.1;
+/// What rounding may make of a unit force at a right angle to a direction.
+constexpr double across = 1e-9;
 
 void check(const Pad& pad, std::size_t i) {
   const auto path = [&](const std::string& field) {
@@ -149,6 +152,33 @@ double settle(Pad& pad, const Contact<3>& contact, const Vector<3>& center) {
     farthest = std::max(farthest, (contact.position + point - center).norm());
   }
   return farthest;
+}
+
+/// A unit vector, whether or not a contact of the finger can push along it.
+template <int Dim>
+bool can_push(const Hand<Dim>& hand, std::size_t finger, const Vector<Dim>& along) {
+  for (std::size_t i = 0; i < hand.contacts().size(); ++i) {
+    const Contact<Dim>& contact = hand.contacts()[i];
+    const double straight = contact.normal.dot(along);
+    const double beside = (along - straight * contact.normal).norm();
+    if (hand.finger_of(i) == finger && straight + contact.friction * beside > -across) return true;
+  }
+  return false;
+}
+
+[[noreturn, gnu::cold]] void refuse_twice(const std::string& name, const std::string& path,
+                                          const std::string& expected) {
+  throw InvalidGrasp(path, "is \"" + name + "\" once more, must be " + expected);
+}
+
+template <int Dim>
+void check(const Finger<Dim>& finger, const Hand<Dim>& hand, std::size_t index) {
+  const std::string path = "fingers." + finger.name + ".closing";
+  if (!std::isfinite(finger.closing.squaredNorm())) throw InvalidGrasp(path, "must be finite");
+  if (finger.closing.cwiseAbs().maxCoeff() > 0 && !can_push<Dim>(hand, index, hand.closing(index)))
+    throw InvalidGrasp(path,
+                       "points away from the object, where no contact of the finger can "
+                       "push: must be the direction in which it pushes");
 }
 
 template <int Dim>
@@ -248,19 +278,33 @@ Hand<Dim>::Hand(std::vector<Contact<Dim>> contacts, const Vector<Dim>& center, d
 template <int Dim>
 void Hand<Dim>::check_mechanism() {
   for (const Contact<Dim>& contact : contacts_) is_general_ = is_general_ || contact.pad;
-  const auto check_finger = [&](const std::string& name, const std::string& path) {
-    if (std::find(fingers_.begin(), fingers_.end(), name) == fingers_.end())
+  const auto index_of = [&](const std::string& name, const std::string& path) {
+    const auto finger = std::find(fingers_.begin(), fingers_.end(), name);
+    if (finger == fingers_.end())
       throw InvalidGrasp(path, "is \"" + name + "\", must be the finger of a contact");
+    if (std::find(finger + 1, fingers_.end(), name) != fingers_.end())
+      throw InvalidGrasp(path,
+                         "is \"" + name +
+                             "\", which two fingers are called: the contact of that number must be "
+                             "given a label");
+    return static_cast<std::size_t>(finger - fingers_.begin());
   };
   const auto check_limit = [&](double most, const std::string& path) {
     if (!(most > 0)) throw InvalidGrasp(path, "is " + text(most) + ", must be above 0");
     is_general_ = is_general_ || std::isfinite(most);
   };
-  for (const Finger<Dim>& finger : mechanism_.fingers) {
+  const auto is_named_before = [](const auto& list, std::size_t k, const auto& name) {
+    const auto named = [&](const auto& other) {
+      return std::invoke(name, other) == std::invoke(name, list[k]);
+    };
+    return std::any_of(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(k), named);
+  };
+  for (std::size_t k = 0; k < mechanism_.fingers.size(); ++k) {
+    const Finger<Dim>& finger = mechanism_.fingers[k];
     const std::string path = "fingers." + finger.name;
-    check_finger(finger.name, path);
-    if (!std::isfinite(finger.closing.squaredNorm()))
-      throw InvalidGrasp(path + ".closing", "must be finite");
+    check<Dim>(finger, *this, index_of(finger.name, path));
+    if (is_named_before(mechanism_.fingers, k, &Finger<Dim>::name))
+      refuse_twice(finger.name, path, "named once");
     if (mechanism_.kind == DriveKind::listed && std::isfinite(finger.max_force))
       throw InvalidGrasp(path + ".max_force",
                          "is given as well as a list of drives, must be `max` "
@@ -273,11 +317,18 @@ void Hand<Dim>::check_mechanism() {
   for (std::size_t a = 0; a < mechanism_.drives.size(); ++a) {
     const std::string path = "drives[" + std::to_string(a) + "]";
     const Drive<Dim>& drive = mechanism_.drives[a];
+    if (is_named_before(mechanism_.drives, a, &Drive<Dim>::name))
+      refuse_twice(drive.name, path + ".name", "the name of no other drive");
     check_limit(drive.max, path + ".max");
     if (drive.moves.empty()) throw InvalidGrasp(path + ".moves", "is empty, must name a finger");
-    for (const auto& moved : drive.moves) {
-      check_finger(moved.finger, path + ".moves");
-      if (!std::isfinite(moved.twist.squaredNorm())) throw InvalidGrasp(path, "must be finite");
+    for (std::size_t k = 0; k < drive.moves.size(); ++k) {
+      const auto& moved = drive.moves[k];
+      const std::string which = path + ".moves[" + std::to_string(k) + "]";
+      index_of(moved.finger, which);
+      if (is_named_before(drive.moves, k, &Drive<Dim>::Moved::finger))
+        refuse_twice(moved.finger, which, "named once");
+      if (!std::isfinite(moved.twist.squaredNorm()) || !(moved.twist.cwiseAbs().maxCoeff() > 0))
+        throw InvalidGrasp(which, "must be moved: its twist is 0 or not finite");
     }
   }
 }

@@ -50,7 +50,7 @@ struct Turning {
     const HoldClaim<Dim> claim = claims_of(given, answer);
     if (claim.holdable) {
       Verdict own;
-      check_least_hold<Dim>(own, place, grasp, claim, options.force_cap);
+      check_hold<Dim>(own, place, grasp, claim, options.force_cap);
       verdict.check(place, "forces found for it are right", own.confirmed());
     }
     return claim;

@@ -179,9 +179,8 @@ void draw_curve(const PlanarFile& file, const Grasp<2>& grasp, const BestAnswer<
                     .hold = posture && posture->holdable() ? &posture->hold() : nullptr};
   std::string posture_title = "cannot be held";
   if (posture)
-    posture_title =
-        fmt::format("{} posture: {}, {}", best.pinched ? "best pinched" : "best",
-                    degrees_text(scene.theta), value_text(grasp, *posture));
+    posture_title = fmt::format("{} posture: {}, {}", best.pinched ? "best pinched" : "best",
+                                degrees_text(scene.theta), value_text(grasp, *posture));
 
   Script script;
   begin_picture(script, picture_width, picture_height);
