@@ -147,6 +147,8 @@ TurnPeak<3> peak_along(const Grasp<3>& grasp, const turns::Arc& arc, const TurnS
 TurnPeak<3> turn_peak(const Grasp<3>& grasp, const Eigen::Quaterniond& from, const Vector<3>& to,
                       const TurnSettings& settings) {
   turns::check_unit("to", to);
+  if (!(from.norm() > 1e-9) || !std::isfinite(from.norm()))
+    throw InvalidGrasp("from", "must be a rotation");
   // Where `to` points straight down, the axis is the world's x: on the way the world's y is up.
   const Eigen::Quaterniond back = from.normalized().conjugate();
   return peak_along(grasp,

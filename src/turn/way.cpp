@@ -79,7 +79,7 @@ class WaySearch {
   }
 
  private:
-  bool is_done() const { return upper_ - lower_ <= gap_ * upper_; }
+  bool is_done() const { return upper_ < infinity && upper_ - lower_ <= gap_ * upper_; }
   int left() const { return settings_.max_holds - values_.holds(); }
 
   void take(std::vector<Vector<3>> ups, double most) {
@@ -92,7 +92,10 @@ class WaySearch {
     Mesh mesh(values_, from_.x, to_.x);
     double reached = upper_, proven = lower_;
     const double half = gap_ / 2;  // the other half is for steps
-    const auto is_open = [&] { return !(reached - proven <= half * reached) && proven < infinity; };
+    const auto is_open = [&] {
+      const bool is_close = reached < infinity && reached - proven <= half * reached;
+      return !is_close && proven < infinity;
+    };
     while (is_open() && left() > 0) {
       const Levels levels = levels_reached(mesh, 0);
       proven = std::max(lower_, levels_proven(mesh, 0).to(1));
