@@ -116,7 +116,8 @@ Enclosure peak_of(Values& values, const Arc& arc, double gap, double enough, int
     const double most = search.open.top().most;
     if (!is_thorough && (found.least > enough || most <= enough)) return true;
     // Where something is unholdable, only how far matters.
-    return most < infinity && (!(found.least < infinity) || most - found.least <= gap * most);
+    return most < infinity &&
+           (!(found.least < infinity) || most - found.least <= gap * most || most <= nothing);
   };
   while (!is_done() && values.holds() < last) search.halve_widest();
   found.most = search.open.empty() ? found.least : std::max(found.least, search.open.top().most);
@@ -134,7 +135,7 @@ TurnPeak<3> peak_along(const Grasp<3>& grasp, const turns::Arc& arc, const TurnS
   turns::Values values(grasp, settings);
   const turns::Enclosure found = turns::peak_of(values, arc, values.gap_of_p(settings.gap),
                                                 turns::infinity, settings.max_holds);
-  TurnPeak<3> result{arc.angle, values.value(found.most), values.value(found.least),
+  TurnPeak<3> result{arc.angle, values.value(found.most),        values.value(found.least),
                      found.at,  values.posture(found.posture.x), {}};
   for (const auto& stretch : found.unholdable)
     result.unholdable.push_back(
@@ -151,10 +152,10 @@ TurnPeak<3> turn_peak(const Grasp<3>& grasp, const Eigen::Quaterniond& from, con
     throw InvalidGrasp("from", "must be a rotation");
   // Where `to` points straight down, the axis is the world's x: on the way the world's y is up.
   const Eigen::Quaterniond back = from.normalized().conjugate();
-  return peak_along(grasp,
-                    turns::arc_between(back * Vector<3>::UnitZ(), to.normalized(),
-                                       back * Vector<3>::UnitY()),
-                    settings);
+  return peak_along(
+      grasp,
+      turns::arc_between(back * Vector<3>::UnitZ(), to.normalized(), back * Vector<3>::UnitY()),
+      settings);
 }
 
 TurnPeak<3> turn_peak(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& to,

@@ -17,8 +17,8 @@ constexpr double same_posture = 1e-12;
 /// Peaks are equal within this part.
 constexpr double tie = 1e-9;
 
-/// Calls f(from, to, item) with the parts of the items, which repeat with every turn, between lo and
-/// hi.
+/// Calls f(from, to, item) with the parts of the items, which repeat with every turn, between lo
+/// and hi.
 template <class Items, class F>
 void each_between(const Items& items, double lo, double hi, const F& f) {
   for (const auto& item : items)
@@ -43,8 +43,9 @@ std::pair<double, double> greatest(const Arc& arc, double from, double to) {
 /// The gaps that the holdable postures leave between lo and hi, ascending.
 std::vector<Interval> gaps(const PostureCurve& curve, double lo, double hi) {
   std::vector<Interval> held;
-  each_between(curve.holdable, lo, hi,
-               [&](double from, double to, const Interval&) { held.push_back({from, to}); });
+  each_between(curve.holdable, lo, hi, [&](double from, double to, const Interval&) {
+    held.push_back({from, to});
+  });
   std::sort(held.begin(), held.end(),
             [](const Interval& a, const Interval& b) { return a.from < b.from; });
   std::vector<Interval> open;
@@ -85,7 +86,7 @@ TurnPeak<2> peak_on(const Grasp<2>& grasp, const PostureCurve& curve, double sta
   if (result.unholdable.empty()) {
     const Optimum peak{.angle = theta, .from = theta, .to = theta, .value = value};
     result.peak = result.lower_bound = value;
-    result.at = theta - start;
+    result.at = std::clamp(theta - start, std::min(0.0, angle), std::max(0.0, angle));
     result.posture = minimum_at(grasp, peak, settings);
   } else {
     result.peak = result.lower_bound = std::numeric_limits<double>::infinity();
@@ -141,8 +142,8 @@ std::vector<TurnPeak<2>> ways_round(const Grasp<2>& grasp, double from, double t
   if (std::abs(angle) < same_posture) return {};
   const PostureCurve curve = whole_curve(grasp, settings);
   const Interval domain = domain_interval(grasp, settings.domain);
-  const bool stays = settings.domain != Domain::all && is_within(domain, from, from) &&
-                     is_within(domain, to, to);
+  const bool stays =
+      settings.domain != Domain::all && is_within(domain, from, from) && is_within(domain, to, to);
   std::vector<TurnPeak<2>> ways;
   for (const double way : {angle, angle - std::copysign(2 * pi, angle)})
     if (!stays || is_within(domain, std::min(from, from + way), std::max(from, from + way)))
@@ -158,8 +159,7 @@ Reachable<2> best_reachable(const Grasp<2>& grasp, double from, const CurveSetti
   if (!is_within(domain, from, from)) within.domain = Domain::all;
   within.present = from;
   const PostureCurve curve = posture_curve(grasp, within);
-  const Posture<2> now =
-      posture_at(grasp, up_at(from), {settings.force_cap, settings.objective});
+  const Posture<2> now = posture_at(grasp, up_at(from), {settings.force_cap, settings.objective});
   if (!now.holdable()) throw InvalidGrasp("from", "cannot be held");
   const double level = now.value() * (1 + tie);
   Reachable<2> found{.posture = now,

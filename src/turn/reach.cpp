@@ -33,7 +33,7 @@ class ReachSearch {
   }
 
  private:
-  bool is_done() const { return best_p_ - proven_ <= gap_ * best_p_; }
+  bool is_done() const { return best_p_ <= nothing || best_p_ - proven_ <= gap_ * best_p_; }
 
   void search() {
     Mesh mesh(values_, now_.x, towards_);
@@ -51,8 +51,7 @@ class ReachSearch {
       proven_ = std::min(best_p_, mesh.triangle(lowest).least);
       if (is_done()) break;
       const auto& corners = mesh.triangle(lowest).corners;
-      const auto doubtful =
-          doubtful_on_way(mesh, 0, {corners.begin(), corners.end()}, most_);
+      const auto doubtful = doubtful_on_way(mesh, 0, {corners.begin(), corners.end()}, most_);
       if (!refine(mesh, doubtful.empty() ? std::vector<int>{lowest} : doubtful)) break;
     }
     if (ups_.size() > 1) ups_ = fewest_steps(values_, ups_, most_);
@@ -75,8 +74,8 @@ class ReachSearch {
     found.way.status = is_done() ? Status::optimal : Status::gap;
     found.way.ups = ups_;
     found.way.lower_bound = values_.value(now_.p);
-    found.way.peak = values_.value(
-        ups_.size() > 1 ? peak_along(values_, ups_, gap_ / 8).most : now_.p);
+    found.way.peak =
+        values_.value(ups_.size() > 1 ? peak_along(values_, ups_, gap_ / 8).most : now_.p);
     found.way.holds = values_.holds();
     return found;
   }
@@ -94,7 +93,7 @@ class ReachSearch {
 }  // namespace turns
 
 Reachable<3> best_reachable(const Grasp<3>& grasp, const Vector<3>& from, const Vector<3>& towards,
-                         const TurnSettings& settings) {
+                            const TurnSettings& settings) {
   search::check_search(settings);
   turns::check_unit("from", from);
   turns::check_unit("towards", towards);

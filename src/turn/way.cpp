@@ -13,12 +13,19 @@ namespace turns {
 
 using std::numbers::pi;
 
+namespace {
+
+/// Longer steps [rad] are between opposite postures.
+constexpr double longest_step = pi - 1e-6;
+
+}  // namespace
+
 std::vector<Vector<3>> fewest_steps(Values& values, const std::vector<Vector<3>>& ups,
                                     double most) {
   std::vector<Vector<3>> steps{ups.front()};
   const auto is_low = [&](std::size_t from, std::size_t to) {
     const Arc arc = arc_between(ups[from], ups[to]);
-    return arc.angle < pi - 1e-6 &&
+    return arc.angle < longest_step &&
            peak_of(values, arc, 1e-12, most, holds_per_step).most <= most;
   };
   for (std::size_t k = 0; k + 1 < ups.size();) {
@@ -67,8 +74,12 @@ class WaySearch {
     for (const Valued* end : {&from_, &to_})
       lower_ = std::max(lower_, values_.least_between(end->half_space, end->x, end->x));
     if (!(lower_ < infinity)) return result();
-    take({from_.x, to_.x}, peak_of(values_, arc_between(from_.x, to_.x), gap_ / 2, infinity,
-                                   left()).most);
+    const Arc straight = arc_between(from_.x, to_.x);
+    std::vector<Vector<3>> ups{from_.x, to_.x};
+    // Of opposite postures no turn is the smallest: one between them says which.
+    if (straight.angle >= longest_step)
+      ups.insert(ups.begin() + 1, straight.at(straight.angle / 2));
+    take(std::move(ups), peak_of(values_, straight, gap_ / 2, infinity, left()).most);
     if (!is_done()) {
       if (values_.oracle().thin.empty())
         search_sphere();
@@ -79,7 +90,9 @@ class WaySearch {
   }
 
  private:
-  bool is_done() const { return upper_ < infinity && upper_ - lower_ <= gap_ * upper_; }
+  bool is_done() const {
+    return upper_ <= nothing || (upper_ < infinity && upper_ - lower_ <= gap_ * upper_);
+  }
   int left() const { return settings_.max_holds - values_.holds(); }
 
   void take(std::vector<Vector<3>> ups, double most) {
@@ -93,7 +106,8 @@ class WaySearch {
     double reached = upper_, proven = lower_;
     const double half = gap_ / 2;  // the other half is for steps
     const auto is_open = [&] {
-      const bool is_close = reached < infinity && reached - proven <= half * reached;
+      const bool is_close =
+          reached <= nothing || (reached < infinity && reached - proven <= half * reached);
       return !is_close && proven < infinity;
     };
     while (is_open() && left() > 0) {
@@ -101,8 +115,8 @@ class WaySearch {
       proven = std::max(lower_, levels_proven(mesh, 0).to(1));
       reached = std::min(upper_, levels.to(1));
       if (!is_open()) break;
-      const double level = reached < infinity ? (proven + reached) / 2
-                                              : std::numeric_limits<double>::max();
+      const double level =
+          reached < infinity ? (proven + reached) / 2 : std::numeric_limits<double>::max();
       if (!refine(mesh, doubtful_on_way(mesh, 0, {1}, level))) break;
     }
     if (proven > lower_) {
@@ -147,12 +161,9 @@ class WaySearch {
     const auto beside = [&](const Enclosure& found, double side) {
       return Vector<3>((found.posture.x + side * beside_circle * n).normalized());
     };
-    std::vector<Stone> wall{{beside(first, -1), first.posture.half_space},
-                            {beside(first, 1), *above},
-                            {n, *above},
-                            {beside(second, 1), second.posture.half_space},
-                            {beside(second, -1), *below},
-                            {-n, *below}};
+    std::vector<Stone> wall{
+        {beside(first, -1), first.posture.half_space},  {beside(first, 1), *above},   {n, *above},
+        {beside(second, 1), second.posture.half_space}, {beside(second, -1), *below}, {-n, *below}};
     double proven = infinity;
     for (std::size_t k = 0; k < wall.size(); ++k)
       proven = std::min(proven, values_.least_between(wall[k].half_space, wall[k].up,
