@@ -116,7 +116,8 @@ Enclosure peak_of(Values& values, const Arc& arc, double gap, double enough, int
     const double most = search.open.top().most;
     if (!is_thorough && (found.least > enough || most <= enough)) return true;
     // Where something is unholdable, only how far matters.
-    return most < infinity && (!(found.least < infinity) || most - found.least <= gap * most);
+    return most < infinity &&
+           (!(found.least < infinity) || most - found.least <= gap * most || most <= nothing);
   };
   while (!is_done() && values.holds() < last) search.halve_widest();
   found.most = search.open.empty() ? found.least : std::max(found.least, search.open.top().most);
@@ -147,6 +148,8 @@ TurnPeak<3> peak_along(const Grasp<3>& grasp, const turns::Arc& arc, const TurnS
 TurnPeak<3> turn_peak(const Grasp<3>& grasp, const Eigen::Quaterniond& from, const Vector<3>& to,
                       const TurnSettings& settings) {
   turns::check_unit("to", to);
+  if (!(from.norm() > 1e-9) || !std::isfinite(from.norm()))
+    throw InvalidGrasp("from", "must be a rotation");
   // Where `to` points straight down, the axis is the world's x: on the way the world's y is up.
   const Eigen::Quaterniond back = from.normalized().conjugate();
   return peak_along(

@@ -86,7 +86,7 @@ TurnPeak<2> peak_on(const Grasp<2>& grasp, const PostureCurve& curve, double sta
   if (result.unholdable.empty()) {
     const Optimum peak{.angle = theta, .from = theta, .to = theta, .value = value};
     result.peak = result.lower_bound = value;
-    result.at = theta - start;
+    result.at = std::clamp(theta - start, std::min(0.0, angle), std::max(0.0, angle));
     result.posture = minimum_at(grasp, peak, settings);
   } else {
     result.peak = result.lower_bound = std::numeric_limits<double>::infinity();

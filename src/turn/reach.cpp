@@ -33,7 +33,7 @@ class ReachSearch {
   }
 
  private:
-  bool is_done() const { return best_p_ - proven_ <= gap_ * best_p_; }
+  bool is_done() const { return best_p_ <= nothing || best_p_ - proven_ <= gap_ * best_p_; }
 
   void search() {
     Mesh mesh(values_, now_.x, towards_);

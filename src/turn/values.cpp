@@ -62,7 +62,8 @@ double Values::most_between(const Valued& a, const Valued& b) {
   if (!(sine > 1e-12)) return cosine > 0 ? most : infinity;
   // (sin(angle - t) p(a) + sin t p(b)) / sin angle, of which the greatest may lie inside.
   if (b.p <= a.p * cosine || a.p <= b.p * cosine) return most;
-  return std::hypot(a.p, (b.p - a.p * cosine) / sine);
+  const double between = std::hypot(a.p, (b.p - a.p * cosine) / sine);
+  return between * between > oracle_.most ? infinity : between;
 }
 
 double Values::least_between(const HalfSpace& half_space, const Vector<3>& a,

@@ -12,6 +12,9 @@ namespace poise::turns {
 using search::HalfSpace;
 using search::infinity;
 
+/// What needs no more [p, in the unit of the oracle] needs nothing: less is rounding.
+inline constexpr double nothing = 1e-6;
+
 /// A posture, or another x.
 struct Valued {
   Vector<3> x = Vector<3>::Zero();

@@ -13,12 +13,20 @@ namespace turns {
 
 using std::numbers::pi;
 
+namespace {
+
+/// Longer steps [rad] are between opposite postures.
+constexpr double longest_step = pi - 1e-6;
+
+}  // namespace
+
 std::vector<Vector<3>> fewest_steps(Values& values, const std::vector<Vector<3>>& ups,
                                     double most) {
   std::vector<Vector<3>> steps{ups.front()};
   const auto is_low = [&](std::size_t from, std::size_t to) {
     const Arc arc = arc_between(ups[from], ups[to]);
-    return arc.angle < pi - 1e-6 && peak_of(values, arc, 1e-12, most, holds_per_step).most <= most;
+    return arc.angle < longest_step &&
+           peak_of(values, arc, 1e-12, most, holds_per_step).most <= most;
   };
   for (std::size_t k = 0; k + 1 < ups.size();) {
     std::size_t good = k + 1, bad = ups.size();
@@ -78,7 +86,9 @@ class WaySearch {
   }
 
  private:
-  bool is_done() const { return upper_ - lower_ <= gap_ * upper_; }
+  bool is_done() const {
+    return upper_ <= nothing || (upper_ < infinity && upper_ - lower_ <= gap_ * upper_);
+  }
   int left() const { return settings_.max_holds - values_.holds(); }
 
   void take(std::vector<Vector<3>> ups, double most) {
@@ -89,7 +99,7 @@ class WaySearch {
 
   /// A part of a great circle as a way, in steps of which each is the smallest turn.
   void take(const Arc& arc, double most) {
-    const int parts = arc.angle < pi - 1e-6 ? 1 : 1 + static_cast<int>(arc.angle / (0.7 * pi));
+    const int parts = arc.angle < longest_step ? 1 : 1 + static_cast<int>(arc.angle / (0.7 * pi));
     std::vector<Vector<3>> ups{from_.x};
     for (int k = 1; k < parts; ++k) ups.push_back(arc.at(arc.angle * k / parts));
     ups.push_back(to_.x);
@@ -100,7 +110,11 @@ class WaySearch {
     Mesh mesh(values_, from_.x, to_.x);
     double reached = upper_, proven = lower_;
     const double half = gap_ / 2;  // the other half is for steps
-    const auto is_open = [&] { return !(reached - proven <= half * reached) && proven < infinity; };
+    const auto is_open = [&] {
+      const bool is_close =
+          reached <= nothing || (reached < infinity && reached - proven <= half * reached);
+      return !is_close && proven < infinity;
+    };
     while (is_open() && left() > 0) {
       const Levels levels = levels_reached(mesh, 0);
       proven = std::max(lower_, levels_proven(mesh, 0).to(1));
