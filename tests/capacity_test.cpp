@@ -66,6 +66,37 @@ testing::AssertionResult narrow(double held, double bound) {
   return testing::AssertionFailure() << held << " and " << bound;
 }
 
+/// With the force cap reached y is 1e15 long: the forces balance all the same.
+TEST(Capacity, OfForcesAtAHighForceCapIsBalanced) {
+  std::vector<Contact<3>> contacts(5);
+  const Vector<3> slanted(0.6087818949437428, -0.5842598186143455, 0.53667967051253);
+  const Vector<3> at[] = {{1, 0, 0}, slanted, {0, 0, 1}, {0, 0, -1}, {0, 0, -1}};
+  const double friction[] = {1.35115, 1.02492, 0.7004, 1.34469, 0.3432};
+  for (std::size_t i = 0; i < 5; ++i) {
+    contacts[i].position = at[i];
+    contacts[i].normal = -at[i];
+    contacts[i].friction = friction[i];
+  }
+  contacts[0].torsion = 0.001;
+  contacts[1].torsion = 0.120152;
+  contacts[0].share = 0.512555;
+  contacts[1].share = 0.27173;
+  contacts[4].share = 0.928465;
+  const Grasp<3> grasp({.weight = 1, .com = {0.403, -0.17485, 0.0018}}, contacts);
+  const Vector<3> up =
+      Vector<3>(-0.10534405934228924, -0.09727810763320013, -0.9896664079055082).normalized();
+  const double high_cap = 1e7;
+  const LeastFriction<3> least =
+      least_friction<3>(grasp, grasp.loads().front(), up, {.force_cap = high_cap});
+  const Hold<3>& hold = least.posture.hold();
+  ASSERT_TRUE(hold.holdable);
+  const space::Real6 w = grasp.loads().front().at(up).cast<Real>();
+  const Real norm = std::sqrt(hold.effort);
+  EXPECT_GT(norm, 1e5);
+  EXPECT_LE(space::imbalance(grasp, w, space::forces_of(hold)), 3e-11L + 1e-14L * norm * 5);
+  EXPECT_EQ(least.proven, difference(least.factor, least.bound) <= 0.9e-5);
+}
+
 TEST(Capacity, OfTwoOpposedFingersIsTwiceTheirFriction) {
   const Grasp<2> grasp = vice(0.4, 25);
   const WeightRange<2> range = weight_range(grasp, grasp.loads().front(), upright);

@@ -326,6 +326,28 @@ RC_GTEST_PROP(LeastGrip, ByAscentIsThatOfTheInteriorPointMethod, ()) {
     RC_ASSERT(std::abs(points - pads) <= (points < 100 * W ? 1e-7 : 1e-6) * (1e-6 * W + points));
 }
 
+/// In a single plane of postures nothing has an inside: wide numbers end with more errors than
+/// doubles, and must not make out that nothing holds.
+TEST(LeastGrip, InTheOnlyPlaneOfPosturesIsFoundInDoubles) {
+  const Vector<3> n(-0.90148937780592486, -0.31744579706232418, -0.29418543069049502);
+  const Vector<3> other(0.43425585786165893, 0.84953496861175148, -0.29951992758189749);
+  Twist<3> along = Twist<3>::Zero();
+  along.head<3>() = n;
+  Mechanism<3> jaw{.kind = DriveKind::listed};
+  jaw.drives = {{"jaw", {{"left", along}, {"right", -along}}, 2}};
+  const Grasp<3> grasp(
+      {.weight = 1, .com = {-0.68538623099546492, 0.39948490023083166, 0.69116291622930193}},
+      {finger(-n, n, 0.50123498908615216, "left"),
+       finger(-other, other, 1.7233769821303719, "right")},
+      1, jaw);
+  const Vector<3> up(-0.22444508732868576, 0.92724548448790878, 0.29973357214500035);
+  ASSERT_TRUE(hold(grasp, up).holdable);
+  const Hold<3> held = least_grip(grasp, up);
+  ASSERT_TRUE(held.holdable);
+  EXPECT_LE(grip(grasp, held), grip(grasp, hold(grasp, up)) * (1 + 1e-6));
+  EXPECT_NEAR(held.lower_bound, held.grip, 2e-5 * held.grip);
+}
+
 RC_GTEST_PROP(LeastGrip, GrowsWithTheLoad, ()) {
   const space::Held held = *space::grasps({.least_contacts = 2, .limits = false, .awkward = false});
   const Grasp<3> grasp = held.grasp();

@@ -280,6 +280,77 @@ TEST(SpaceBest, OfTwoHardJawsIsInThePlaneThatTheyLeave) {
   EXPECT_EQ(best.status, Status::optimal);
 }
 
+/// Two hard jaws on the unit sphere, with the com beside the line of their points: they hold in one
+/// plane of postures alone. `max`: of the one drive that presses both along the first's normal.
+Grasp<3> hard_jaws(const Vector<3>& n, const Vector<3>& other, const Vector<3>& com,
+                   double friction, double other_friction,
+                   double max = std::numeric_limits<double>::infinity()) {
+  std::vector<Contact<3>> contacts = {contact(-n, n, friction),
+                                      contact(-other, other, other_friction)};
+  contacts[0].finger = "left";
+  contacts[1].finger = "right";
+  Mechanism<3> mechanism;
+  if (std::isfinite(max)) {
+    Twist<3> along = Twist<3>::Zero();
+    along.head<3>() = n;
+    mechanism.kind = DriveKind::listed;
+    mechanism.drives = {{"jaw", {{"left", along}, {"right", -along}}, max}};
+  }
+  return {Load<3>{.weight = 1, .com = com}, std::move(contacts), 1, std::move(mechanism)};
+}
+
+/// The least value in the plane of postures in which the weight does not turn them.
+double least_in_the_plane(const Grasp<3>& grasp, Objective objective) {
+  const Vector<3> point = grasp.contacts()[0].position;
+  const Vector<3> line = grasp.contacts()[1].position - point, arm = grasp.center() - point;
+  const Eigen::Matrix<double, 3, 2> plane = tangents(Vector<3>(line.cross(arm).normalized()));
+  double least = std::numeric_limits<double>::infinity();
+  constexpr int count = 3600;
+  for (int k = 0; k < count; ++k) {
+    const Vector<3> up = plane * up_at(2 * pi * k / count);
+    const Hold<3> found = hold(grasp, Vector<3>(up.normalized()), {.objective = objective});
+    if (found.holdable) least = std::min(least, found.value());
+  }
+  return least;
+}
+
+void expect_best_of_the_plane(const Grasp<3>& grasp, Objective objective) {
+  const double least = least_in_the_plane(grasp, objective);
+  const Best<3> best = best_posture(grasp, {.objective = objective, .max_holds = 200, .starts = 0});
+  ASSERT_TRUE(best.holdable());
+  EXPECT_EQ(best.status, Status::optimal);
+  EXPECT_LE(best.best().value(), least * (1 + 2e-6));
+  EXPECT_GE(best.best().value(), least * (1 - 1e-4));  // between two samples
+}
+
+TEST(SpaceBest, OfTwoHardJawsThatAreNotParallelEndsCertified) {
+  expect_best_of_the_plane(
+      hard_jaws({0.7426724771606352, 0.5579788429195318, 0.3702663939952776},
+                {-0.5674538035560766, -0.6756116343418677, -0.47068577668297185},
+                {0.3144508361411539, 0.4006427739247358, 0.498262573964917}, 0.9588131553584072,
+                0.6151757367637514),
+      Objective::grip);
+  expect_best_of_the_plane(
+      hard_jaws({0.43929386368640611, 0.31457401649691707, 0.84146544163885106},
+                {-0.75105511445065343, -0.20983497160612774, -0.62600758761261943},
+                {0.55244583253254198, 0.0022018948834970722, 0.092014084973094157},
+                1.7174249863970534, 0.93935758014151349),
+      Objective::grip);
+}
+
+TEST(SpaceBest, OfTwoHardJawsWithAMaxIsFound) {
+  const auto jaws = [](double max) {
+    return hard_jaws({-0.86203976219981104, -0.29510968644016244, -0.41206519066245095},
+                     {0.91882607087987611, 0.11469956504286548, 0.37762767542968351},
+                     {0.067113013371075822, 0.83872494039284851, -0.37824710861353067},
+                     0.89133099476517763, 0.85369850748764009, max);
+  };
+  expect_best_of_the_plane(jaws(2), Objective::effort);
+  expect_best_of_the_plane(jaws(2), Objective::grip);
+  const Best<3> none = best_posture(jaws(1e-3), {.max_holds = 200, .starts = 0});
+  EXPECT_EQ(none.status, Status::unholdable);
+}
+
 TEST(SpaceBest, OfAVerySoftFingerIsInThePlaneThatItLeaves) {
   // Both fingers at one point: only moments in the plane of their normals. In the solver's units
   // one of them has a friction 360 times as large about its normal as along the surface.

@@ -35,8 +35,8 @@ struct Parser {
     app.footer(
         "FILE is a grasp file (YAML or JSON), or - for standard input.\n"
         "Exit status: 0 it can be held, 1 it cannot be held, 2 bad input or usage,\n"
-        "4 neither is proven; of verify: 0 confirmed, 1 refuted; of batch: 0 all answered,\n"
-        "1 some grasps are bad.");
+        "4 neither is proven; of verify: 0 confirmed, 1 refuted, 4 the result leaves it open;\n"
+        "of batch: 0 all answered, 1 some grasps are bad.");
     for (const Subcommand* const command : all_commands) {
       flags.emplace_back(*app.add_subcommand(command->name, command->help)->group("Commands"));
       runs.push_back(command->declare(flags.back()));

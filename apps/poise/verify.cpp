@@ -48,6 +48,7 @@ std::string document(const verify::Verdict& claims, const Document& result) {
                     {"command", "verify"},
                     {"options", Json::object()},
                     {"confirmed", claims.confirmed()},
+                    {"open", claims.is_open()},
                     {"refuted", std::move(refuted)},
                     {"checks", std::move(checks)},
                     {"unchecked", std::move(unchecked)},
@@ -107,7 +108,8 @@ std::string report(const verify::Verdict& claims, const Document& result, const 
 Verdict verdict(const GraspFile& grasp, const std::string& result, bool json, const Style& style) {
   const Document read = parse_json(read_text(result, max_result), file_name(result), max_result);
   const verify::Verdict claims = verify::verify(grasp, read);
-  return {json ? document(claims, read) : report(claims, read, style), claims.confirmed()};
+  return {json ? document(claims, read) : report(claims, read, style), claims.confirmed(),
+          claims.is_open()};
 }
 
 }  // namespace poise

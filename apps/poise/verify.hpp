@@ -11,6 +11,7 @@ namespace poise {
 struct Verdict {
   std::string text;  ///< for standard output
   bool confirmed{false};
+  bool open{false};  ///< the result itself says that its answer is not known
 };
 
 /// @throws FileError where the result cannot be read

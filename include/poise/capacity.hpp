@@ -35,6 +35,9 @@ struct Deciding {
 template <int Dim>
 struct WeightRange {
   bool holdable{false};  ///< whether there are any
+  /// Whether weights and bounds are the same but for a part of 1e-5, or that there are none is
+  /// proven. Within rounding of the limit of holding more may be held than was found.
+  bool proven{true};
   WeightEnd<Dim> least;  ///< above 0 only where contacts have a min_normal
   /// Infinite where contacts without max_normal can hold any weight and drives with a max have
   /// nothing to do for it: then its hold is of the given weight, by these alone.
@@ -74,6 +77,7 @@ struct LeastFriction {
   /// too little.
   double factor{0};
   double bound{0};       ///< with less it is not, by `dual`
+  bool proven{true};     ///< whether both are the same but for a part of 1e-5
   Posture<Dim> posture;  ///< with `factor` times the friction
   /// As in WeightEnd, with the load's weight and `bound` times its friction.
   Twist<Dim> dual = Twist<Dim>::Zero();

@@ -118,7 +118,8 @@ struct HoldClaim {
   Twist<Dim> dual;                             ///< told as `y` for the grip
   std::optional<std::vector<double>> rates{};  ///< of the drives, where they say something
   double lower_bound{0};
-  std::string reason{};  ///< where unholdable; then nothing of what follows
+  std::optional<bool> proven{};  ///< told where it is false, of what is not holdable
+  std::string reason{};          ///< where unholdable; then nothing of what follows
   double effort{0}, force_norm{0}, residual{0};
   Manner manner{};
   bool all_loaded{false};
@@ -136,6 +137,7 @@ struct HoldClaim {
     visit(objective == Objective::grip ? "y" : "dual", dual);
     visit.maybe("rates", rates);
     visit("lower_bound", lower_bound);
+    visit.maybe("proven", proven);
     if (!holdable) return visit("reason", reason);
     visit("effort", effort, "force_norm", force_norm, "residual", residual, "manner", manner);
     visit("all_loaded", all_loaded, "grip", grip, "drives", drives);
@@ -420,7 +422,8 @@ template <int Dim>
 struct WeightClaim {
   double given{0};
   bool holdable{false};
-  bool any{false};  ///< any weight, however great
+  bool any{false};               ///< any weight, however great
+  std::optional<bool> proven{};  ///< told where it is false
   std::optional<double> greatest{}, greatest_bound{};
   Twist<Dim> greatest_dual;
   std::optional<std::vector<double>> greatest_rates{};  ///< of the drives, where any has a max
@@ -433,7 +436,9 @@ struct WeightClaim {
   std::vector<DecidingDriveClaim> drives{};
 
   void fields(auto& visit) {
-    visit("given", given, "holdable", holdable, "any", any, "greatest", greatest);
+    visit("given", given, "holdable", holdable, "any", any);
+    visit.maybe("proven", proven);
+    visit("greatest", greatest);
     visit("greatest_bound", greatest_bound, "greatest_dual", greatest_dual);
     visit.maybe("greatest_rates", greatest_rates);
     visit("least", least, "least_bound", least_bound, "least_dual", least_dual);
@@ -450,12 +455,15 @@ template <int Dim>
 struct FrictionClaim {
   std::optional<double> factor{};
   double bound{0};
+  std::optional<bool> proven{};  ///< told where it is false
   Twist<Dim> dual;
   std::optional<std::vector<double>> rates{};  ///< of the drives, where any has a max
   std::optional<HoldClaim<Dim>> hold{};
 
   void fields(auto& visit) {
-    visit("factor", factor, "bound", bound, "dual", dual);
+    visit("factor", factor, "bound", bound);
+    visit.maybe("proven", proven);
+    visit("dual", dual);
     visit.maybe("rates", rates);
     visit("hold", hold);
   }

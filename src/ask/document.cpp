@@ -17,6 +17,11 @@ std::optional<double> finite(double number) {
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+/// Told only where it is not.
+std::optional<bool> where_false(bool proven) {
+  return proven ? std::nullopt : std::optional(false);
+}
+
 /// None are left out.
 std::optional<std::vector<double>> some(const SmallVector<double, 4>& rates) {
   if (rates.empty()) return {};
@@ -76,6 +81,7 @@ HoldClaim<Dim> hold_claim(const Hand<Dim>& hand, double weight, const Vector<Dim
   claim.rates = some(hold.rates);
   claim.lower_bound = hold.lower_bound;
   if (!hold.holdable) {
+    claim.proven = where_false(hold.proven);
     claim.reason = reason(hand, hold);
     return claim;
   }
@@ -274,6 +280,7 @@ WeightClaim<Dim> weight_claim(const Hand<Dim>& hand, const Load<Dim>& load,
   WeightClaim<Dim> claim{.given = load.weight,
                          .holdable = range.holdable,
                          .any = range.holdable && std::isinf(greatest.weight),
+                         .proven = where_false(range.proven),
                          .greatest_bound = finite(greatest.bound),
                          .greatest_dual = greatest.dual,
                          .greatest_rates = some(greatest.rates),
@@ -296,8 +303,8 @@ WeightClaim<Dim> weight_claim(const Hand<Dim>& hand, const Load<Dim>& load,
 template <int Dim>
 FrictionClaim<Dim> friction_claim(const Hand<Dim>& hand, const Load<Dim>& load,
                                   const LeastFriction<Dim>& friction) {
-  FrictionClaim<Dim> claim{finite(friction.factor), friction.bound, friction.dual,
-                           some(friction.rates)};
+  FrictionClaim<Dim> claim{finite(friction.factor), friction.bound, where_false(friction.proven),
+                           friction.dual, some(friction.rates)};
   if (claim.factor) claim.hold = hold_claim(hand, load.weight, friction.posture);
   return claim;
 }

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "dual/cone_pad.hpp"
 #include "dual/cone_plane.hpp"
 #include "dual/cone_space.hpp"
 #include "dual/scaled_hand.hpp"
+#include "dual/tolerances.hpp"
 #include "poise/grasp.hpp"
 #include "poise/small_vector.hpp"
 
@@ -87,6 +89,54 @@ Exact effort_bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<D
   for (std::size_t i = 0; i < hand.contacts().size(); ++i)
     sum -= phi(hand.contacts()[i], felt[hand.finger_of(i)], friction_factor);
   return 2 * sum;
+}
+
+/// What rounding may take of effort_bound, twice over: others may compute it otherwise.
+template <int Dim>
+Exact effort_rounding(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Dim>& y,
+                      const Rates& rates, double friction_factor) {
+  Exact sum = (y.cwiseAbs().template cast<Exact>()).dot(load.cwiseAbs().template cast<Exact>());
+  for (std::size_t a = 0; a < rates.size(); ++a)
+    if (rates[a] > 0) sum += Exact{rates[a]} * hand.driven().drives[a].max;
+  const auto felt = against_fingers(hand, y, rates, false);
+  for (std::size_t i = 0; i < hand.contacts().size(); ++i) {
+    const Contact<Dim>& contact = hand.contacts()[i];
+    const Twist<Dim>& z = felt[hand.finger_of(i)];
+    // The force is no longer than this, whether it has to press or not.
+    const Exact most = 2 * std::max<Exact>(phi(contact, z, friction_factor), 0) * contact.share;
+    const Exact steep = 1 + Exact{contact.friction} * friction_factor;
+    const Exact force = std::min<Exact>(std::sqrt(most) + 2 * steep * contact.min_normal,
+                                        4 * steep * contact.max_normal);
+    const Twist<Dim> size = y.cwiseAbs() + (z - y).cwiseAbs();
+    const Exact arm = contact.position.template lpNorm<1>() + hand.radius();
+    sum += steep * force *
+           (size.template head<Dim>().sum() +
+            arm * size.template tail<wrench_size<Dim> - Dim>().sum());
+  }
+  return 32 * std::numeric_limits<Exact>::epsilon() * sum;
+}
+
+/// Whether (y, rates), or a part of them that rounding leaves more of, prove that no load within
+/// the balance tolerance is held with a force norm of at most `cap` [N].
+template <int Dim>
+bool proves_none(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight, double cap,
+                 const Twist<Dim>& y, const Rates& rates, double friction_factor) {
+  const Vector<Dim> center = hand.center();
+  const Exact omega = y.template tail<wrench_size<Dim> - Dim>().norm();
+  // About the com, wherever that is.
+  const Exact imbalance = weight * (velocity<Dim>(y, center).norm() + 3 * hand.radius() * omega);
+  constexpr int shortest = -80;
+  for (int exponent = 0; exponent >= shortest; exponent -= 2) {
+    const double length = std::ldexp(1.0, exponent);
+    const Twist<Dim> shorter = length * y;
+    Rates slower = rates;
+    for (double& rate : slower) rate *= length;
+    const Exact proven = effort_bound(hand, load, shorter, slower, friction_factor) -
+                         effort_rounding(hand, load, shorter, slower, friction_factor) -
+                         2 * delta * length * imbalance;
+    if (proven > Exact{cap} * cap) return true;
+  }
+  return false;
 }
 
 /// What (y, rates) prove of the grip: (10) of docs/theory.md. `in_parts`: grip is in parts of max.

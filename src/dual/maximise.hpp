@@ -69,6 +69,25 @@ Twist<Dim> start_from(const Problem<Dim>& problem, const Wrench<Dim>& w, const T
   return l1_norm(start) < longest_start ? start : cold_start(problem, w);
 }
 
+/// What wide numbers found. Forces at y rounded, or beside tangents rounded, would be off by as
+/// much as y is long.
+template <int Dim>
+void narrow(const Cones<Dim>& cones, const Wrench<Dim>& w, const Point<Dim, Wide>& wide,
+            Point<Dim>& point) {
+  point.y = wide.y.template cast<double>();
+  point.residual = w;
+  std::fill(point.lanes.begin(), point.lanes.end(), LaneForces<Dim, double>{});
+  for (std::size_t i = 0; i < cones.size; ++i) {
+    LaneForces<Dim, double>& lane = point.lanes[i / lane_size];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(contact_size<Dim>); ++k) {
+      lane.z[k][i % lane_size] = static_cast<double>(wide.lanes[i].z[k]);
+      lane.f[k][i % lane_size] = static_cast<double>(wide.lanes[i].f[k]);
+    }
+    if constexpr (Dim == 3) lane.over[i % lane_size] = static_cast<double>(wide.lanes[i].over);
+    point.residual -= columns(cones, i) * point.f(i);
+  }
+}
+
 template <int Dim>
 bool maximise(const Problem<Dim>& problem, const Wrench<Dim>& w, const Twist<Dim>& start,
               double force_cap, Point<Dim>& point) {
@@ -79,7 +98,7 @@ bool maximise(const Problem<Dim>& problem, const Wrench<Dim>& w, const Twist<Dim
   Point<Dim, Wide> wide(problem.size);
   const bool holdable = decide<Dim>(Widened<Dim>(problem).cones(), w, force_cap, wide);
   if (holdable) {
-    evaluate_twofold<Dim>(problem, w, wide.y, point);
+    narrow<Dim>(problem, w, wide, point);
     point.value = value_in_wide_numbers<Dim>(problem, w, point.y);
   } else {
     evaluate<Dim, double>(problem, w, wide.y.template cast<double>(), point);

@@ -14,7 +14,12 @@ namespace poise {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double wanted = 1e-7;  // between what is held and what is proven
+constexpr double wanted = 1e-7;       // between what is held and what is proven
+constexpr double near = 1e-5;         // where it is as good as closed
+constexpr double no_friction = 1e-9;  // where ever less is enough
+/// What contacts must do is nothing beside weights that are so many times as great: these are held
+/// by the balance tolerance.
+constexpr double out_of_proportion = 1e9;
 constexpr double most_friction = 1e6;
 constexpr double nothing = 1e-9;    ///< of the weight: what drives may do that have nothing to do
 constexpr double rounding = 4e-16;  ///< of a twist
@@ -23,6 +28,10 @@ constexpr int most_probes = 200;
 using Real = dual::Exact;  // a force norm of a million weights makes rounding of doubles felt
 
 using dual::Rates;
+
+bool is_near(double value, double bound, double little = 0) {
+  return std::abs(value - bound) <= 0.9 * near * std::max({value, bound, little});
+}
 
 /// What proves that something cannot be held.
 template <int Dim>
@@ -45,8 +54,10 @@ struct Question {
     for (const Drive<Dim>& drive : drives)
       limited_drives = limited_drives || std::isfinite(drive.max);
     limited = limited_drives;
-    for (const Contact<Dim>& contact : hand.contacts())
+    for (const Contact<Dim>& contact : hand.contacts()) {
       limited = limited || std::isfinite(contact.max_normal);
+      radius = std::max(radius, (contact.position - load.com).norm());
+    }
   }
 
   const Hand<Dim>& hand;
@@ -55,12 +66,13 @@ struct Question {
   const HoldSettings& settings;
   std::vector<Drive<Dim>> drives;
   bool limited_drives{false}, limited{false};
+  double radius{0};  ///< L of this load: the hand's is about its center
 
   /// What one newton of weight does against y at least, if the balance is off by the tolerance.
   Real driven(const Twist<Dim>& y) const {
     const Eigen::Matrix<Real, Dim, 1> v = dual::velocity<Dim>(y, load.com);
     const Real omega = y.template tail<wrench_size<Dim> - Dim>().norm();
-    return v.dot(up.template cast<Real>()) - dual::delta * (v.norm() + hand.radius() * omega);
+    return v.dot(up.template cast<Real>()) - dual::delta * (v.norm() + radius * omega);
   }
   /// How a drive moves the finger of a contact.
   Twist<Dim> screw(std::size_t drive, std::size_t contact) const {
@@ -270,7 +282,7 @@ class WeightSearch {
   explicit WeightSearch(const Question<Dim>& asked) : asked_(asked) {
     range_.greatest.bound = infinity;
     for (const Contact<Dim>& contact : asked.hand.contacts()) {
-      pressed_ = pressed_ || contact.min_normal > 0;
+      pressing_ += contact.min_normal;
       if (std::isfinite(contact.max_normal)) strength_ += contact.max_normal;
     }
     for (const Drive<Dim>& drive : asked.drives)
@@ -280,12 +292,17 @@ class WeightSearch {
 
   WeightRange<Dim> run() {
     bound_greatest();
-    range_.holdable = !pressed_ || find_least();
+    range_.holdable = !(pressing_ > 0) || find_least();
     if (range_.holdable) find_greatest();
     if (!range_.holdable) try_given();
+    const bool is_greatest_near = range_.greatest.weight == infinity ||
+                                  is_near(range_.greatest.weight, range_.greatest.bound);
+    range_.proven = range_.holdable
+                        ? is_greatest_near && is_near(range_.least.weight, range_.least.bound)
+                        : empty();
     complete(range_.least, least_);
     complete(range_.greatest, greatest_);
-    if (range_.holdable && range_.greatest.weight < infinity) {
+    if (range_.holdable && range_.greatest.bound < infinity) {
       const Proof<Dim> proof{range_.greatest.dual, range_.greatest.rates};
       range_.deciding = deciding_by(asked_, proof);
       range_.deciding_drives = drives_by(asked_, proof);
@@ -321,7 +338,8 @@ class WeightSearch {
 
   bool empty() const {
     return range_.greatest.bound <= dual::delta * strength_ ||
-           range_.greatest.bound < range_.least.bound;
+           range_.greatest.bound < range_.least.bound ||
+           range_.least.bound > out_of_proportion * pressing_;
   }
 
   bool probe(WeightEnd<Dim>& end, Hold<Dim>& hold, double weight) {
@@ -440,7 +458,7 @@ class WeightSearch {
   }
 
   const Question<Dim>& asked_;
-  bool pressed_{false};    ///< contacts must press even where there is no weight
+  double pressing_{0};     ///< how hard contacts must press even where there is no weight [N]
   bool from_zero_{false};  ///< they can do so without any weight
   double strength_{0};     ///< of all contacts with max_normal [N]
   WeightRange<Dim> range_;
@@ -456,6 +474,8 @@ class FrictionSearch {
   LeastFriction<Dim> run() {
     probe(1);
     if (!probe(0)) narrow();
+    found_.proven = found_.factor < infinity ? is_near(found_.factor, found_.bound, no_friction)
+                                             : found_.bound >= most_friction * (1 - near);
     found_.posture = asked_.posture(std::move(hold_), asked_.load.weight, asked_.hand);
     return std::move(found_);
   }

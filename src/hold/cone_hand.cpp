@@ -266,6 +266,7 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
   hold.lower_bound = hold.holdable ? std::min(proven, hold.effort)
                                    : std::min(proven, std::numeric_limits<double>::max());
   hold.proven = hold.holdable || proven > cap * cap;
+  write_exact_proof(hand, load, weight, settings.force_cap, hold, friction_factor);
   return hold;
 }
 

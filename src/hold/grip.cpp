@@ -99,6 +99,7 @@ Hold<Dim> unlimited_hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double 
       std::min(static_cast<double>(dual::effort_bound<Dim>(hand, load, none.dual, {}, 1)),
                std::numeric_limits<double>::max());
   none.proven = none.lower_bound > cap * cap;
+  write_exact_proof(hand, load, weight, settings.force_cap, none);
   return none;
 }
 
@@ -113,6 +114,7 @@ bool ascend(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight,
   dual::Point<Dim> held(problem.size);
   if (!dual::maximise(problem, w, dual::cold_start(problem, w), settings.force_cap, held)) {
     write_proof(problem, held, settings, hold);
+    write_exact_proof(hand, load, weight, settings.force_cap, hold);
     return true;
   }
   dual::LeastGrip<Dim> found(problem.size);

@@ -68,9 +68,11 @@ Hold<Dim> hold(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight, co
   const Wrench<Dim> w = scaled_wrench(problem.hand, weight, load);
   bool cold = false;
   if constexpr (Dim == 2) cold = dual::in_closed_form(problem);
-  return solve<Dim>(problem, w,
-                    cold ? dual::cold_start(problem, w) : about_center(problem.hand, weight, y),
-                    settings);
+  Hold<Dim> hold = solve<Dim>(
+      problem, w, cold ? dual::cold_start(problem, w) : about_center(problem.hand, weight, y),
+      settings);
+  write_exact_proof(hand, load, weight, settings.force_cap, hold);
+  return hold;
 }
 
 template <int Dim>

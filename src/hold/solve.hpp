@@ -17,7 +17,6 @@
 namespace poise {
 
 inline constexpr double at_limit = 1e-9;  // of the weight, and of the friction
-inline constexpr double most_residual = 1e-7;  // [weights], of what is told as a hold
 
 /// The friction used and the state of one lane of contacts, without a branch: which of them are
 /// loaded is hard to foresee.
@@ -186,15 +185,24 @@ Hold<Dim> solve(const dual::Problem<Dim>& problem, const Wrench<Dim>& w, const T
   }
   write_point(problem, point, hold);
   hold.dual = about_origin(problem.hand, problem.weight, point.y);
-  if (hold.residual > most_residual) {  // forces near the cap, which rounding keeps from balancing
-    Hold<Dim> open;
-    open.proven = false;
-    open.dual = hold.dual;
-    return open;
-  }
   // A long y may ask more for the load itself than for one within the balance tolerance.
   hold.lower_bound = std::min(problem.weight * problem.weight * 2 * point.value, hold.effort);
   return hold;
+}
+
+/// What is claimed of a load that cannot be held, as who checks it will find it.
+template <int Dim>
+void write_exact_proof(const Hand<Dim>& hand, const Wrench<Dim>& load, double weight,
+                       double force_cap, Hold<Dim>& hold, double friction_factor = 1) {
+  if (hold.holdable) return;
+  const double cap = force_cap * weight;
+  hold.proven = hold.proven && dual::proves_none<Dim>(hand, load, weight, cap, hold.dual,
+                                                      hold.rates, friction_factor);
+  if (hold.proven) return;
+  const dual::Exact bound =
+      dual::effort_bound<Dim>(hand, load, hold.dual, hold.rates, friction_factor) -
+      dual::effort_rounding<Dim>(hand, load, hold.dual, hold.rates, friction_factor);
+  hold.lower_bound = std::clamp(static_cast<double>(bound), 0.0, cap * cap);
 }
 
 /// A y so long that its rounding may count [1 / weight].
@@ -211,6 +219,7 @@ Hold<Dim> solve(const Hand<Dim>& hand, const ScaledHand<Dim>& contacts, double f
   const dual::Problem<Dim> problem(contacts, load.weight);
   const Wrench<Dim> w = scaled_load<Dim>(problem.hand, problem.weight, load, up);
   Hold<Dim> hold = solve(problem, w, dual::cold_start(problem, w), settings);
+  write_exact_proof(hand, load.at(up), load.weight, settings.force_cap, hold, friction_factor);
   const double length = hold.dual.template head<Dim>().norm() / load.weight;
   if (hold.holdable && length * load.weight * load.weight > long_y * hold.effort)
     hold.lower_bound =

@@ -19,8 +19,12 @@ constexpr int most_contradictions = 20;
 /// y longer than this times the effort is no start for other loads.
 constexpr double too_long = 1e4;
 /// Twists that no contact feels, of length 1, do nothing where they move the weight by less than
-/// no_motion; where they move it they are made so long that it is as good as infinite.
-constexpr double no_motion = 1e-9, endless = 1e8;
+/// no_motion; where they move it they are made so long that it is as good as infinite, beside an
+/// effort of the force cap, too.
+constexpr double no_motion = 1e-9, endless = 1e8, endless_of_cap = 1e20;
+/// Where only single planes of postures hold, nothing has an inside, and the interior-point method
+/// ends with fewer digits. What it found with errors up to these is held, as it is by hold().
+constexpr double most_error = 1e-8, most_grip_error = 1e-6;
 /// A longer y, about the object frame's origin [weights], rounds y . w.
 constexpr double longest_y = 1e13;
 
@@ -135,7 +139,8 @@ Oracle::Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads, Obje
       const Vector<3> v = loads[s].velocity(twist);
       if (!(v.norm() > no_motion)) continue;
       if (loads[s].fixed.isZero(0)) thin.push_back({v.normalized(), 0});
-      for (const double length : {endless, -endless})
+      const double most_length = is_gauge || is_grip() ? endless : endless_of_cap;
+      for (const double length : {most_length, -most_length})
         unresisted.push_back(adopted({.load = s, .y = length * twist}));
     }
 }
@@ -165,12 +170,12 @@ bool Oracle::quick_grip(std::size_t s, const Vector<3>& x, Answer& answer) const
   return true;
 }
 
-Answer Oracle::general_answer(const Vector<3>& x) {
+Answer Oracle::general_answer(const Vector<3>& x, double target) {
   Answer worst{-1, {}};
   for (std::size_t s = 0; s < loads_.size(); ++s) {
     ++holds;
     Answer answer;
-    if (!quick_grip(s, x, answer)) answer = answer_by_interior(s, x);
+    if (!quick_grip(s, x, answer)) answer = answer_by_interior(s, x, target);
     const bool holdable = answer.value <= most;
     answer.half_space.origin = holdable ? HalfSpace::Origin::held : HalfSpace::Origin::unholdable;
     if (!holdable) answer.value = infinity;
@@ -182,12 +187,14 @@ Answer Oracle::general_answer(const Vector<3>& x) {
 }
 
 /// Of one load, with y and the rates as they were found, made right where rounding made them wrong.
-Answer Oracle::answer_by_interior(std::size_t s, const Vector<3>& x) const {
+Answer Oracle::answer_by_interior(std::size_t s, const Vector<3>& x, double target) const {
   using State = dual::Balance<3>::State;
   const ScaledLoad& load = loads_[s];
   const dual::ConeHand<3>& cones = cones_[s];
   const dual::Balance<3> found =
       dual::balance(cones, load.at(x), is_grip() ? dual::Wanted::grip : dual::Wanted::effort);
+  const bool is_held =
+      found.state != State::not_held && found.error <= (is_grip() ? most_grip_error : most_error);
   HalfSpace cut = general_half_space(s, found.y, x);
   double value = infinity;
   if (is_grip()) {
@@ -196,7 +203,7 @@ Answer Oracle::answer_by_interior(std::size_t s, const Vector<3>& x) const {
     cut.rates = proof.rates;
     cut.rate_sum = proof.rate_sum / times;  // F in the oracle's unit
     cut.phi = proof.fixed - proof.y.dot(load.fixed);
-    if (found.state == State::held) value = std::pow(found.value * times, 2);
+    if (is_held) value = std::pow(found.value * times, 2);
   } else {
     const Load<3>& given = grasp_.loads()[s];
     const auto& drives = grasp_.driven().drives;
@@ -209,13 +216,31 @@ Answer Oracle::answer_by_interior(std::size_t s, const Vector<3>& x) const {
       const double per_length = drives[a].turns ? load.problem.hand.per_length : 1;
       cut.rates[a] = found.rates[limited++] * given.weight * per_length;
     }
-    const Twist<3> y = about_origin(load.problem.hand, given.weight, found.y);
     const Wrench<3> none = Wrench<3>::Zero();
-    std::copy(cut.rates.begin(), cut.rates.end(), rates.begin());
-    const auto proven = static_cast<double>(dual::effort_bound<3>(grasp_, none, y, rates, 1) /
-                                            (given.weight * given.weight));
-    cut.phi = -proven / 2 - found.y.dot(load.fixed);
-    if (found.state == State::held) value = 2 * found.value * load.unit;
+    const auto phi = [&](double times) {
+      const Twist<3> y = about_origin(load.problem.hand, given.weight, times * found.y);
+      for (std::size_t a = 0; a < rates.size(); ++a) rates[a] = times * cut.rates[a];
+      return -static_cast<double>(dual::effort_bound<3>(grasp_, none, y, rates, 1)) /
+             (2 * given.weight * given.weight);
+    };
+    // Where nothing holds (y, rates) are a direction: as long as they cut deepest.
+    double times = 1;
+    if (!is_held) {
+      const auto height = [&](double length) {
+        return (phi(length) + target / (2 * load.unit)) / length;
+      };
+      double least = height(times);
+      for (double longer = 1e2; longer < 1e25; longer *= 1e2)
+        if (const double here = height(longer); here < least) {
+          times = longer;
+          least = here;
+        }
+    }
+    cut.y *= times;
+    cut.speed *= times;
+    cut.phi = phi(times) - cut.y.dot(load.fixed);
+    for (double& rate : cut.rates) rate *= times;
+    if (is_held) value = 2 * found.value * load.unit;
   }
   return {value, cut};
 }
@@ -228,7 +253,7 @@ HalfSpace Oracle::general_half_space(std::size_t load, const Twist<3>& y,
 }
 
 Answer Oracle::evaluate(const Vector<3>& x, const Aim& aim) {
-  if (!cones_.empty()) return general_answer(x);
+  if (!cones_.empty()) return general_answer(x, aim.target);
   using Origin = HalfSpace::Origin;
   Answer worst{-1, {}};
   for (std::size_t s = 0; s < loads_.size(); ++s) {

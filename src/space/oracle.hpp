@@ -139,9 +139,9 @@ class Oracle {
   void deepen(const ScaledLoad& load, const Wrench<3>& w, double t, dual::Point<3>& point) const;
   double stretch(const HalfSpace& half_space, double half) const;
   Cut cut_by(std::size_t load, const Twist<3>& y) const;
-  Answer general_answer(const Vector<3>& x);
+  Answer general_answer(const Vector<3>& x, double target);
   bool quick_grip(std::size_t load, const Vector<3>& x, Answer& answer) const;
-  Answer answer_by_interior(std::size_t load, const Vector<3>& x) const;
+  Answer answer_by_interior(std::size_t load, const Vector<3>& x, double target) const;
   HalfSpace general_half_space(std::size_t load, const Twist<3>& y, const Vector<3>& x) const;
   bool is_grip() const { return objective_ == Objective::grip; }
 

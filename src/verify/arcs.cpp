@@ -86,9 +86,13 @@ void check_effort_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& a
   verdict.check(arc.place, "contacts keep to their faces along the arc [of y]", forces.outside,
                 1e-7L);
   // What y loses by its rounding, if it is not so long that nothing is left.
-  const Real digits = std::min(1e-15L * forces.length / load.weight, Real{1e-6L});
+  const Real rounded = 1e-15L * forces.length / load.weight;
+  const Real digits = std::min(rounded, Real{1e-6L});
+  // And of great forces, not more than shows.
+  const Real norm = std::sqrt(std::max(arc.value.greatest(arc.from, arc.to), Real{0}));
   verdict.check(arc.place, "forces balance the load along the arc [weights]",
-                relative_size(forces.off, load, arc.from, arc.to), 1e-11L + digits);
+                relative_size(forces.off, load, arc.from, arc.to),
+                1e-11L + digits + std::min(rounded, 2e-11L * norm / load.weight));
   check_effort(verdict, arc, forces.Q, load.weight);
   check_proof(verdict, grasp, arc, digits);
   const Real cap = force_cap * load.weight;

@@ -10,9 +10,12 @@ namespace poise::verify {
 namespace {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
-constexpr Real loose = 1e-7L;  ///< a force cap of 1e6 weights makes rounding of doubles felt
-constexpr Real near = 1e-5L;   ///< what is held and its bound
+constexpr Real loose = 1e-7L;    ///< a force cap of 1e6 weights makes rounding of doubles felt
+constexpr Real follows = 1e-6L;  ///< the same, of weights where a dual gains little with them
+constexpr Real near = 1e-5L;     ///< what is held and its bound
 constexpr Real most_friction = 1e6L;
+/// Beside such a weight what contacts must press is less than the balance may be off by.
+constexpr Real out_of_proportion = 1e9L;
 constexpr Real no_friction = 1e-9L;  ///< of the friction: where ever less is enough
 
 /// The grasp with one load, in one posture.
@@ -75,7 +78,7 @@ void check_bound(Verdict& verdict, const Path& place, const Case& given, const T
   const Real proven = std::max(proof.fixed / proof.gain, Real{0});
   verdict.check(place, "no weight beyond the bound can be held, by its dual",
                 sign * proof.gain > 0 ? std::abs(proven - bound) : infinity,
-                loose * (bound + given.load().weight));
+                follows * (bound + given.load().weight));
 }
 
 /// Checks which contacts decide, by the dual of the greatest weight.
@@ -83,9 +86,9 @@ template <int Dim>
 void check_deciding(Verdict& verdict, const Path& place, const Case& given,
                     const WeightClaim<Dim>& claim) {
   const auto& contacts = given.grasp.contacts;
-  const bool complete = claim.contacts.size() == (claim.any ? 0 : contacts.size());
-  verdict.check(place, "each contact decides or not, where not any weight is held", complete);
-  if (claim.any || !complete) return;
+  const bool complete = claim.contacts.size() == (claim.greatest_bound ? contacts.size() : 0);
+  verdict.check(place, "each contact decides or not, where there is a bound", complete);
+  if (!claim.greatest_bound || !complete) return;
   const Vec y = real(claim.greatest_dual);
   const auto rates = rates_of(verdict, place, given.grasp, claim.greatest_rates);
   if (!rates) return;
@@ -128,12 +131,12 @@ void check_deciding_drives(Verdict& verdict, const Path& place, const Case& give
   const auto& drives = given.grasp.drives;
   const auto rates = rates_of(verdict, place, given.grasp, claim.greatest_rates);
   if (!rates) return;
-  if (claim.any)
-    return verdict.check(place, "no drive decides where any weight is held", claim.drives.empty());
+  if (!claim.greatest_bound)
+    return verdict.check(place, "no drive decides where there is no bound", claim.drives.empty());
   if (drives.empty())
     return verdict.unchecked(place, "the closing directions of the fingers are not known");
   const bool complete = claim.drives.size() == drives.size();
-  verdict.check(place, "each drive decides or not, where not any weight is held", complete);
+  verdict.check(place, "each drive decides or not, where there is a bound", complete);
   if (!complete) return;
   const Real gain = weight_bound(given.grasp, given.load(), given.up, real(claim.greatest_dual),
                                  *rates, given.cap)
@@ -154,15 +157,22 @@ void check_greatest(Verdict& verdict, const Path& place, const Case& given,
   verdict.check(place / "greatest", "there is a greatest weight, unless any is held",
                 claim.greatest.has_value() != claim.any);
   verdict.check(place / "greatest_bound", "there is a bound, unless any weight is held",
-                claim.greatest_bound.has_value() != claim.any);
+                claim.any ? !claim.greatest_bound : claim.greatest_bound || claim.proven);
   if (claim.any) {
     check_idle(verdict, place / "greatest_hold" / "drives", given, claim.greatest_hold);
     return check_at_limit(verdict, place / "greatest_hold", given, without_limits(given.grasp),
                           claim.greatest_hold);
   }
-  if (!claim.greatest || !claim.greatest_bound) return;
-  verdict.check(place / "greatest", "greatest is its bound, but for a part of 1e-5",
-                difference(*claim.greatest, *claim.greatest_bound), near);
+  if (!claim.greatest) return;
+  if (claim.proven) {
+    const Real most = claim.greatest_bound ? Real{*claim.greatest_bound} : infinity;
+    verdict.check(place / "greatest", "greatest is not above its bound", *claim.greatest / most,
+                  1 + near);
+    verdict.unchecked(place / "greatest", "it is said that more may be held, up to the bound");
+  } else if (claim.greatest_bound) {
+    verdict.check(place / "greatest", "greatest is its bound, but for a part of 1e-5",
+                  difference(*claim.greatest, *claim.greatest_bound), near);
+  }
   check_at_limit(verdict, place / "greatest_hold", given, with_weight(given.grasp, *claim.greatest),
                  claim.greatest_hold);
 }
@@ -173,8 +183,14 @@ void check_least(Verdict& verdict, const Path& place, const Case& given,
                  const WeightClaim<Dim>& claim) {
   verdict.check(place / "least", "there is a least weight", claim.least.has_value());
   if (!claim.least) return;
-  verdict.check(place / "least", "least is its bound, but for a part of 1e-5",
-                difference(*claim.least, claim.least_bound), near);
+  if (claim.proven) {
+    verdict.check(place / "least", "least is not below its bound", claim.least_bound - *claim.least,
+                  near * claim.least_bound);
+    verdict.unchecked(place / "least", "it is said that less may be held, down to the bound");
+  } else {
+    verdict.check(place / "least", "least is its bound, but for a part of 1e-5",
+                  difference(*claim.least, claim.least_bound), near);
+  }
   const bool none = *claim.least <= 0;
   verdict.check(place / "least_hold", "of a least weight there is a hold",
                 claim.least_hold.has_value() != none);
@@ -184,6 +200,15 @@ void check_least(Verdict& verdict, const Path& place, const Case& given,
   const auto must_press = [](const RealContact& contact) { return contact.least > 0; };
   if (std::any_of(given.grasp.contacts.begin(), given.grasp.contacts.end(), must_press))
     verdict.unchecked(place / "least", "of no weight there is no hold to check");
+}
+
+/// Whether both weights are their bounds.
+template <int Dim>
+bool is_closed(const WeightClaim<Dim>& claim) {
+  const bool greatest =
+      claim.any || (claim.greatest && claim.greatest_bound &&
+                    difference(*claim.greatest, *claim.greatest_bound) <= near / 2);
+  return greatest && claim.least && difference(*claim.least, claim.least_bound) <= near / 2;
 }
 
 template <int Dim>
@@ -201,21 +226,32 @@ void check_weight(Verdict& verdict, const Path& place, const Case& given,
                 claim.greatest_bound || (claim.greatest_dual.isZero(0) && !claim.greatest_rates));
   verdict.check(place / "least_dual", "without a bound there is no dual",
                 claim.least_bound != 0 || (claim.least_dual.isZero(0) && !claim.least_rates));
+  verdict.check(place / "proven", "proven is told where it is false",
+                !claim.proven.value_or(false));
   if (claim.holdable) {
+    if (claim.proven)
+      verdict.check(place / "proven", "proven is false only where a weight is not its bound",
+                    !is_closed(claim));
     check_greatest(verdict, place, given, claim);
     check_least(verdict, place, given, claim);
     check_deciding(verdict, place / "contacts", given, claim);
     return check_deciding_drives(verdict, place / "drives", given, claim);
   }
-  Real strength = 0;
-  for (const RealContact& contact : given.grasp.contacts)
+  Real strength = 0, pressing = 0;
+  for (const RealContact& contact : given.grasp.contacts) {
     if (std::isfinite(contact.most)) strength += contact.most;
+    pressing += contact.least;
+  }
   const Real length = given.load().radius > 0 ? given.load().radius : 1;
   for (const RealDrive& drive : given.grasp.drives)
     if (std::isfinite(drive.max)) strength += drive.turns ? drive.max / length : drive.max;
   const Real most = claim.greatest_bound ? Real{*claim.greatest_bound} : infinity;
-  verdict.check(place / "holdable", "that no weight can be held follows from its bounds",
-                most < claim.least_bound || most <= loose * strength);
+  if (claim.proven)
+    verdict.unchecked(place / "holdable", "it is said that weights may be held: none was found");
+  else
+    verdict.check(place / "holdable", "that no weight can be held follows from its bounds",
+                  most < claim.least_bound || most <= loose * strength ||
+                      claim.least_bound > out_of_proportion * pressing);
   for (const auto& [key, null] :
        {std::pair{"any", !claim.any}, {"greatest", !claim.greatest}, {"least", !claim.least}})
     verdict.check(place / key, "is null where no weight can be held", null);
@@ -241,13 +277,23 @@ void check_friction(Verdict& verdict, const Path& place, const Case& given,
   if (bound > 0)
     verdict.check(place / "bound", "with less friction the weight cannot be held, by the dual",
                   missing(bound * (1 - loose)) > 0);
+  verdict.check(place / "proven", "proven is told where it is false",
+                !claim.proven.value_or(false));
+  if (claim.proven)
+    verdict.unchecked(place / "factor", "it is said that less may be enough, down to the bound");
   verdict.check(place / "factor", "factor is null where a million times the friction is not enough",
-                claim.factor || bound >= most_friction * (1 - near));
+                claim.factor || claim.proven || bound >= most_friction * (1 - near));
   if (!claim.factor)
     return verdict.check(place / "hold", "is null where there is none", !claim.hold);
   const Real factor = *claim.factor;
-  verdict.check(place / "factor", "factor is its bound, but for a part of 1e-5",
-                difference(factor, bound, no_friction), near);
+  if (claim.proven) {
+    verdict.check(place / "factor", "factor is not below its bound", bound - factor, near * bound);
+    verdict.check(place / "proven", "proven is false only where the factor is not its bound",
+                  difference(factor, bound, no_friction) > near / 2);
+  } else {
+    verdict.check(place / "factor", "factor is its bound, but for a part of 1e-5",
+                  difference(factor, bound, no_friction), near);
+  }
   check_at_limit(verdict, place / "hold", given, with_friction(given.grasp, factor), claim.hold);
 }
 

@@ -309,6 +309,8 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
   check_posture(verdict, place, hold);
   check_scenarios(verdict, place, grasp, hold, force_cap);
   const RealLoad& load = deciding_load(grasp, hold);
+  verdict.check(place / "proven", "proven is told where it is false, of what is not holdable",
+                !hold.proven || (!*hold.proven && !hold.holdable));
   if (hold.holdable) {
     check_forces(verdict, place, grasp, load, hold);
     // The cap is one of the least effort: forces of least grip may need more.
@@ -340,6 +342,19 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
            2 * delta * imbalance_power(load, y);
   };
   const Real cap = force_cap * load.weight;
+  if (hold.proven) {
+    const DualValue dual = dual_value(grasp, load, hold);
+    verdict.check(place / "lower_bound", "lower_bound is what dual proves [of it]",
+                  hold.lower_bound > 0
+                      ? (hold.lower_bound - dual.bound + dual.rounding) / hold.lower_bound
+                      : 0,
+                  1e-6L);
+    verdict.check(place / "proven", "proven is false only where lower_bound is within the cap",
+                  hold.lower_bound / (cap * cap), 1 + 1e-9L);
+    verdict.unchecked(place / "lower_bound", "how much more dual proves");
+    verdict.unchecked(place / "reason", "is in words");
+    return;
+  }
   Real proven = proof(1);
   for (int exponent = -2; exponent >= -80 && !(proven > cap * cap); exponent -= 2)
     proven = std::max(proven, proof(std::ldexp(Real{1}, exponent)));

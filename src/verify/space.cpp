@@ -146,7 +146,7 @@ void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<3>&
                 best.best || best.status == Status::gap);
   if (!best.best) {
     check_null(verdict, best, "is null where nothing was found");
-    verdict.note("Nothing was found that can be held, nor a proof that nothing can.");
+    verdict.leave_open("Nothing was found that can be held, nor a proof that nothing can.");
     return;
   }
   check_best_hold(verdict, grasp, best, bound);

@@ -57,18 +57,26 @@ class Verdict {
   void unchecked(const Path& place, const std::string& words);
   /// What is not claimed, for people to know.
   void note(const std::string& words);
+  /// The same, where it is what was asked for.
+  void leave_open(const std::string& words) {
+    note(words);
+    open_ = true;
+  }
 
   const std::vector<Check>& checks() const { return checks_; }
   const std::vector<Refutation>& refutations() const { return refutations_; }
   const std::vector<Unchecked>& unchecked() const { return unchecked_; }
   const std::vector<std::string>& notes() const { return notes_; }
   bool confirmed() const { return refutations_.empty(); }
+  /// Whether the document itself says that its answer is not known.
+  bool is_open() const { return open_; }
 
  private:
   std::vector<Check> checks_{};
   std::vector<Refutation> refutations_{};
   std::vector<Unchecked> unchecked_{};
   std::vector<std::string> notes_{};
+  bool open_{false};
 };
 
 /// What was refuted, a line each; empty where all was confirmed.

@@ -96,6 +96,7 @@ struct Checker {
                   hold.objective == hold.options.objective ||
                       (!hold.holdable && hold.objective == Objective::effort));
     check_least_hold<Dim>(verdict, {}, grasp, hold, hold.options.force_cap);
+    if (hold.proven) verdict.leave_open("Neither forces are claimed, nor that there are none.");
     if (const auto up = asked_up(hold.options))
       check_up(verdict, {}, real(hold.up), *up, "up is the posture asked for");
     else if (now.known)

@@ -19,7 +19,7 @@ const Subcommand verify_command{
       return [checked] {
         const GraspFile grasp = read_grasp_file(checked->file);
         const Verdict found = verdict(grasp, checked->result, checked->json, style_of_output());
-        return Reply{found.text, found.confirmed};
+        return Reply{found.text, found.confirmed && !found.open, !found.confirmed};
       };
     }};
 

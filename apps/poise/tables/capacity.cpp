@@ -55,16 +55,25 @@ const char* which_text(const std::string& which) {
 
 template <int Dim>
 std::string greatest_text(const WeightRange<Dim>& range, double given) {
-  if (!range.holdable) return "none: no weight can be held in this posture";
+  if (!range.holdable)
+    return range.proven ? "none: no weight can be held in this posture"
+                        : "none found, nor a proof that there is none";
   if (std::isinf(range.greatest.weight)) return "any: nothing limits the fingers that hold it";
+  const double bound = range.greatest.bound;
+  const std::string more =
+      range.proven ? ""
+      : std::isinf(bound)
+          ? "; that no more is held is not proven"
+          : "; that no more is held is proven only of more than " + weight_text(bound);
   return fmt::format("{}, {} times the given", weight_text(range.greatest.weight),
-                     plain(range.greatest.weight / given));
+                     plain(range.greatest.weight / given)) +
+         more;
 }
 
 /// Which contacts decide the greatest weight.
 template <int Dim>
 std::string why_no_more(const Grasp<Dim>& grasp, const WeightRange<Dim>& range) {
-  if (!range.holdable || std::isinf(range.greatest.weight)) return {};
+  if (!range.holdable || range.deciding.empty() || !range.proven) return {};
   const auto& forces = range.greatest.posture.hold().forces;
   std::vector<bool> pressing, slipping;
   for (std::size_t i = 0; i < range.deciding.size(); ++i) {
@@ -96,7 +105,8 @@ std::string why_no_more(const Grasp<Dim>& grasp, const WeightRange<Dim>& range) 
 /// The least friction of each of the different frictions.
 template <int Dim>
 std::string friction_text(const Grasp<Dim>& grasp, const LeastFriction<Dim>& least, double safety) {
-  if (std::isinf(least.factor)) return "none is enough";
+  if (std::isinf(least.factor))
+    return least.proven ? "none is enough" : "none found that is enough, nor a proof that none is";
   if (least.factor == 0) return "none is needed";
   if (least.factor < 1e-4) return "ever less, the harder the fingers press: nothing limits them";
   std::set<double> frictions;
@@ -107,8 +117,12 @@ std::string friction_text(const Grasp<Dim>& grasp, const LeastFriction<Dim>& lea
     parts.push_back(
         fmt::format("{} instead of {}", plain(least.factor * friction), plain(safety * friction)));
   const double left = safety / least.factor;
-  return listed(parts) + (left >= 1 ? fmt::format(": a safety factor of {}", plain(left))
-                                    : fmt::format(": {} times as much", plain(1 / left)));
+  const std::string factor = left >= 1 ? fmt::format(": a safety factor of {}", plain(left))
+                                       : fmt::format(": {} times as much", plain(1 / left));
+  return listed(parts) + factor +
+         (least.proven ? ""
+                       : fmt::format("; that less is too little is proven only below {} of that",
+                                     plain(least.bound / least.factor)));
 }
 
 /// What `measure` finds greatest in.
