@@ -68,26 +68,29 @@ SpatialFile random_spatial_file() {
 /// What a program can be asked of a grasp.
 template <int Dim>
 Question random_question() {
-  std::vector<Command> commands = {Command::hold, Command::best, Command::capacity, Command::check};
+  std::vector<Command> commands = {Command::hold, Command::best, Command::turn, Command::capacity,
+                                   Command::check};
   if (Dim == 2) commands.push_back(Command::curve);
   Question question;
   question.command = any_of(commands);
   // Not where only the cap ends the arcs of the plane: y do not always prove that.
-  const bool has_arcs = question.command == Command::best || question.command == Command::curve;
+  const bool is_turn = question.command == Command::turn;
+  const bool has_arcs =
+      question.command == Command::best || is_turn || question.command == Command::curve;
   if ((Dim == 3 || !has_arcs) && one_in(4))
     question.force_cap = any_of(std::vector<double>{1, 3, 100, 1e7});
   if (one_in(4)) question.safety = real(1, 3);
   question.objective = any_of(std::vector{Objective::grip, Objective::effort});
   if constexpr (Dim == 2) {
     if (one_in(3)) question.domain = any_of(std::vector{Domain::all, Domain::pinching_up});
-    if (one_in(2)) question.angle_deg = 180 / pi * random_angle();
+    if (is_turn || one_in(2)) question.angle_deg = 180 / pi * random_angle();
   } else {
-    if (question.command == Command::best) {
-      question.max_holds = 200;
+    if (question.command == Command::best || is_turn) {
+      question.max_holds = is_turn ? 500 : 200;
       if (one_in(4)) question.gap = any_of(std::vector{1e-3, 1e-8});
       if (one_in(4)) question.orientation = Eigen::Quaterniond(space::random_rotation());
     }
-    if (one_in(2)) {
+    if (is_turn || one_in(2)) {
       const Vector<3> up = space::random_direction();
       question.up = {up.x(), up.y(), up.z()};
     }
@@ -256,8 +259,8 @@ double size_for(const std::string& key, const Json& parent, const std::string& p
 
 /// Whether a key has proofs, of which any will do that prove.
 bool is_proof(const std::string& key) {
-  const auto keys = {"dual", "greatest_dual",   "least_dual",     "y",          "rates",
-                     "cuts", "unholdable_arcs", "greatest_rates", "least_rates"};
+  const auto keys = {"dual", "greatest_dual",   "least_dual",     "y",           "rates",
+                     "cuts", "unholdable_arcs", "greatest_rates", "least_rates", "wall"};
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
@@ -293,6 +296,26 @@ void compare(const Json& a, const Json& b, const std::string& path, const std::s
   }
 }
 
+/// Whether a forgery claims less there: a weaker bound, or nothing of a turn.
+bool claims_less(const Json& document, const Json& forged, const std::string& path) {
+  std::string pointer = "/" + path;
+  std::replace(pointer.begin(), pointer.end(), '.', '/');
+  const Pointer at(pointer);
+  if (path.find('*') != std::string::npos || !document.contains(at) || !forged.contains(at))
+    return false;
+  const Json &was = document[at], &is = forged[at];
+  const auto ends = [&](const char* key) {
+    return path == key || path.ends_with(std::string(".") + key);
+  };
+  if (is.is_null())
+    return path == "turn" || ends("way") || ends("other_way") || ends("without_pressing_harder");
+  if (!was.is_number() || !is.is_number()) return false;
+  const bool is_of_turn = path.starts_with("turn.") || path.starts_with("without_pressing_harder.");
+  if (is_of_turn && ends("peak")) return is > was;
+  if (is_of_turn && (ends("lower_bound") || ends("reachable_bound"))) return is < was;
+  return path == "lower_bound" && document["command"] == "best" && is < was;
+}
+
 /// The places in which a forgery claims something else, and does not itself say that it has not
 /// been checked.
 std::vector<std::string> changes(const Json& document, Json forged,
@@ -318,11 +341,9 @@ std::vector<std::string> changes(const Json& document, Json forged,
     };
     // Optima lie where friction begins to be needed: there both manners are right.
     const bool at_fork = path.ends_with("manner") && document["options"].contains("domain");
-    const bool is_weaker = path == "lower_bound" && document["command"] == "best" &&
-                           forged[path].is_number() && forged[path] < document[path];
     // Of two loads that cannot be held either decides.
     const bool is_either = path == "scenario" && document["holdable"] == false;
-    if (!at_fork && !is_weaker && !is_either &&
+    if (!at_fork && !claims_less(document, forged, path) && !is_either &&
         std::none_of(unchecked.begin(), unchecked.end(), names))
       changed.push_back(path);
   }

@@ -207,6 +207,7 @@ void check_steps(const Turning<3>& turning, const Path& place,
     Quaternion step = after * before.conjugate();
     if (step.w() < 0) step.coeffs() = -step.coeffs();
     const Real taken = 2 * std::atan2(step.vec().norm(), step.w());
+    verdict.check(list[k + 1], "no step of a way is none", taken > 0);
     verdict.check(list[k + 1], "each step is the smallest turn between postures [rad]",
                   taken - angle_between(up_in(before), up_in(after)), 1e-7L);
     for (int i = 0; i <= samples; ++i)
@@ -352,6 +353,13 @@ void check_turns(Verdict& verdict, const Grasp<3>& given, const RealGrasp& grasp
                 near.peak / (now / (1 - gap)) - 1, of_value);
   if (near.orientations.size() > 1)
     check_steps(turning, place, near.orientations, Vec3(near.up.cast<Real>()), near.peak);
+  const Real reached = (value(near) - near.reachable_bound) /
+                       std::max(value(near), little(grasp, options.objective));
+  verdict.check(place / "status", "status is optimal where the gap is the wanted one, else gap",
+                near.status == Status::optimal ? reached - gap
+                : near.status == Status::gap   ? gap - reached
+                                               : 1,
+                of_value);
   verdict.unchecked(place / "reachable_bound", "that no posture that can be reached needs less");
   verdict.unchecked(place / "holds", "how many holds it took");
 }
