@@ -297,7 +297,8 @@ class Python:
             words = words or self.comments.get((name, plain), "")
             rows.append((inline(shown), prose(words, "../").replace("\n\n", "<br>")))
         if all(each.name != "__init__" for each in stub.body):
-            text += code("python", f"class {name}")
+            bases = ", ".join(ast.unparse(base) for base in stub.bases)
+            text += code("python", f"class {name}({bases})" if bases else f"class {name}")
         return text + self.words(name, said(value.__doc__)[0]) + terms(rows) + self.see(name)
 
     def plain(self, name: str, value: object) -> str:
@@ -329,6 +330,10 @@ class Python:
                     rows.append((inline(shown), prose(inspect.getdoc(member) or "", "../")))
         else:
             text += code("python", tidy(f"{name}{inspect.signature(value)}"))
+            for each, member in vars(type(value)).items():  # of what is called, and has functions
+                if not each.startswith("_") and inspect.isfunction(member):
+                    shown = tidy(f"{name}.{each}{inspect.signature(getattr(value, each))}", 1000)
+                    rows.append((inline(shown), prose(inspect.getdoc(member) or "", "../")))
         return text + self.words(name, doc) + terms(rows) + self.see(name)
 
     def beside(self, owner: type, name: str) -> str:

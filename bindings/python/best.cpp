@@ -3,15 +3,12 @@
 #include "module.hpp"
 #include "parallel.hpp"
 #include "poise/best_posture.hpp"
-#include "poise/turn.hpp"
+#include "scenarios.hpp"
 #include "values.hpp"
 
 namespace poise::python {
 namespace {
 
-using GraspPointer = std::shared_ptr<AnyGrasp>;
-/// A grasp, or the scenarios of one in space.
-using GraspOrScenarios = std::variant<GraspPointer, std::vector<GraspPointer>>;
 using AnyBest = Either<Best>;
 
 const SpatialSettings spatial;  // the defaults
@@ -32,21 +29,6 @@ Settings settings(Domain domain, double force_cap, double gap, int max_holds,
                             .starts = starts}};
   result.space.tilt = read_tilt(tilt);
   return result;
-}
-
-/// The same contacts with the loads of all scenarios.
-Grasp<3> together(const std::vector<GraspPointer>& scenarios) {
-  if (scenarios.empty()) throw InvalidGrasp("scenarios", "is empty, must hold at least one");
-  const std::vector<Contact<3>>& contacts = only<3>(*scenarios.front()).contacts();
-  std::vector<Load<3>> loads;
-  for (const GraspPointer& scenario : scenarios) {
-    const Grasp<3>& grasp = only<3>(*scenario);
-    if (grasp.contacts() != contacts)
-      throw InvalidGrasp("scenarios", "must all have the same contacts");
-    loads.insert(loads.end(), grasp.loads().begin(), grasp.loads().end());
-  }
-  const Grasp<3>& first = only<3>(*scenarios.front());
-  return {loads, given_contacts(first), 1, first.mechanism()};
 }
 
 AnyBest best_in_space(const Grasp<3>& grasp, const Settings& settings) {
@@ -91,16 +73,6 @@ py::list best_many(const std::vector<GraspOrScenarios>& many, Domain domain, dou
   py::list list;
   for (const AnyBest& each : best) list.append(write(each));
   return list;
-}
-
-Eigen::Vector4d turn(const Eigen::VectorXd& orientation, const Eigen::VectorXd& up) {
-  const Eigen::Vector4d given = sized<4>(orientation, "orientation");
-  if (!given.allFinite() || given.isZero(0))
-    throw InvalidGrasp("orientation", "must be a rotation: a quaternion w, x, y, z");
-  const Eigen::Vector4d wxyz = given.stableNormalized();
-  const Eigen::Quaterniond turn =
-      smallest_turn(Eigen::Quaterniond(wxyz[0], wxyz[1], wxyz[2], wxyz[3]), unit<3>(up));
-  return {turn.w(), turn.x(), turn.y(), turn.z()};
 }
 
 void add_planar(py::module_& module) {
@@ -235,11 +207,6 @@ void add_best(py::module_& module) {
       py::arg("grasp"), py::arg("optimum"), py::kw_only(), py::arg("domain") = Domain::all,
       py::arg("force_cap") = 1e6, py::arg("objective") = Objective::effort,
       "An optimum of a curve, with its hold, manner and meeting point.");
-  module.def(
-      "smallest_turn", &turn, py::arg("orientation"), py::arg("up"),
-      "The smallest rotation, in the world frame, that takes an object from its orientation\n"
-      "(object to world) to one in which up (3,) points along the world's +z. Quaternions "
-      "(4,):\nw, x, y, z; that which is returned has w >= 0.");
 }
 
 }  // namespace poise::python

@@ -2,7 +2,7 @@
 
 #include "curve_settings.hpp"
 #include "module.hpp"
-#include "poise/turn.hpp"
+#include "turned.hpp"
 
 namespace poise::python {
 namespace {
@@ -49,6 +49,11 @@ Verdict check_best_in_space(const AnyGrasp& grasp, const Best<3>& best, double f
   return verify::verify(only<3>(grasp), answer);
 }
 
+template <int Dim>
+Verdict check_turn(const AnyGrasp& grasp, const Turned<Dim>& turn) {
+  return verify::verify(only<Dim>(grasp), turn.answer);
+}
+
 }  // namespace
 
 void add_verify(py::module_& module) {
@@ -87,9 +92,8 @@ void add_verify(py::module_& module) {
   const char* const words =
       "Checks an answer again, from the grasp alone, by code that shares nothing with what finds "
       "it:\n"
-      "a document of the program, as text or as a dictionary; a hold in the posture up; or the "
-      "best\n"
-      "posture. The settings are those with which it was asked for.";
+      "a document of the program, as text or as a dictionary; a hold in the posture up; the best\n"
+      "posture; or a turn. The settings are those with which it was asked for.";
   module.def("verify", &check_text, py::arg("grasp"), py::arg("document"), words);
   module.def("verify", &check_dictionary, py::arg("grasp"), py::arg("document"), words);
   module.def("verify", &check_hold, py::arg("grasp"), py::arg("hold"), py::arg("up"), py::kw_only(),
@@ -99,6 +103,8 @@ void add_verify(py::module_& module) {
   module.def("verify", &check_best_in_space, py::arg("grasp"), py::arg("best"), py::kw_only(),
              py::arg("force_cap") = 1e6, py::arg("gap") = SpatialSettings{}.gap,
              py::arg("tilt") = py::none(), words);
+  module.def("verify", &check_turn<2>, py::arg("grasp"), py::arg("turn"), words);
+  module.def("verify", &check_turn<3>, py::arg("grasp"), py::arg("turn"), words);
 }
 
 }  // namespace poise::python

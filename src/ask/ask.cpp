@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "ask/turn.hpp"
 #include "files/degrees.hpp"
 #include "poise/grip.hpp"
 #include "poise/turn.hpp"
@@ -444,6 +445,17 @@ NamedPosture<Dim> first_posture(const FileOf<Dim>& file, const Grasp<Dim>& grasp
 }
 
 }  // namespace
+
+TurnTaken<2> turn_taken(const Grasp<2>& grasp, double from, double to,
+                        const CurveSettings& settings) {
+  return taken(grasp, from, to, settings);
+}
+
+TurnTaken<3> turn_taken(const Grasp<3>& grasp, const Eigen::Quaterniond& from,
+                        const Posture<3>& now, const Posture<3>& then,
+                        const TurnSettings& settings) {
+  return taken(grasp, from, now, then, settings);
+}
 
 AnswerTo<2> ask(const PlanarFile& file, const Grasp<2>& grasp, const Question& question) {
   return answer_to<2>(file, grasp, question);

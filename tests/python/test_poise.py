@@ -393,22 +393,30 @@ class Holding(unittest.TestCase):
         self.assertTrue(poise.hold(grasp, [0, 1], force_cap=norm * 1.01).holdable)
         self.assertFalse(poise.hold(grasp, [0, 1], force_cap=norm / 1.01).holdable)
 
-    def test_other_threads_run_meanwhile(self):
-        grasp = random_grasp(np.random.default_rng(2), 30)
-        ups = np.random.default_rng(3).normal(size=(100_000, 2))
+    def check_that_others_run_meanwhile(self, work):
         done = []
         interval = sys.getswitchinterval()
         sys.setswitchinterval(1e6)  # a thread that does not let go runs to its end
         try:
-            worker = threading.Thread(
-                target=lambda: (poise.hold_many(grasp, ups), done.append(True))
-            )
+            worker = threading.Thread(target=lambda: (work(), done.append(True)))
             worker.start()
             finished_first = bool(done)
             worker.join()
         finally:
             sys.setswitchinterval(interval)
         self.assertFalse(finished_first)
+
+    def test_other_threads_run_meanwhile(self):
+        grasp = random_grasp(np.random.default_rng(2), 30)
+        ups = np.random.default_rng(3).normal(size=(100_000, 2))
+        self.check_that_others_run_meanwhile(lambda: poise.hold_many(grasp, ups))
+        box = poise.load(ROOT / "examples" / "box-three-fingers.yaml").grasp()
+        fine = {"gap": 1e-9, "max_holds": 10_000}
+        for work in [
+            lambda: poise.turn(box, [0.1, -0.2, 0.6], **fine),
+            lambda: poise.best_reachable(box, [0, 0, 1], [0, 1, 1], **fine),
+        ]:
+            self.check_that_others_run_meanwhile(work)
 
     def test_forces_of_another_grasp(self):
         hold = poise.hold(random_grasp(np.random.default_rng(1), 20), [0, 1])
@@ -534,6 +542,348 @@ class Curves(unittest.TestCase):
             self.assertAlmostEqual(y[3] ** 2 / grip, 1, delta=1e-9)
             with tempfile.TemporaryDirectory() as directory:
                 file = Path(directory, "curve.png")
+                axes.figure.savefig(file)
+                self.assertGreater(file.stat().st_size, 5000)
+
+
+class Turns(unittest.TestCase):
+    """Turns against the program, and against holds of the postures between."""
+
+    def test_upside_down_is_half_a_turn(self):
+        for up in [[-1e-17, -1], [0.0, -1], [-0.0, -1]]:
+            self.assertEqual(poise.angle_of(up), math.pi)
+            self.assertTrue(poise.verify(disk(), poise.hold(disk(), up), up))
+
+    def check_hold(self, posture, shown):
+        self.assertEqual(posture.holdable, shown["holdable"])
+        self.assertEqual(posture.up.tolist(), shown["up"])
+        self.assertEqual(posture.scenario, shown.get("scenario", 0))
+        self.assertEqual(posture.hold.lower_bound, shown["lower_bound"])
+        if not posture.holdable:
+            self.assertEqual(posture.value, math.inf)
+            return
+        value = shown["grip"] if shown["objective"] == "grip" else shown["effort"]
+        self.assertEqual(posture.value, value)
+        self.assertEqual(posture.hold.effort, shown["effort"])
+        self.assertEqual(posture.manner.value, shown["manner"])
+
+    def check_peak(self, turn, shown):
+        self.assertAlmostEqual(math.degrees(turn.angle), shown["turn_deg"], delta=1e-10)
+        self.assertEqual(len(turn.unholdable), len(shown["unholdable"]))
+        for stretch, expected in zip(turn.unholdable, shown["unholdable"]):
+            ends = np.degrees([stretch.from_, stretch.to, stretch.at])
+            told = [expected["from_deg"], expected["to_deg"], expected["posture"]["turn_deg"]]
+            np.testing.assert_allclose(ends, told, atol=1e-10)
+            self.check_hold(stretch.posture, expected["posture"])
+            self.assertEqual(stretch.reason, expected["posture"]["reason"])
+        if shown["peak"] is None:
+            self.assertEqual((turn.peak, turn.lower_bound), (math.inf, math.inf))
+            self.assertFalse(turn.posture.holdable)
+            return
+        self.assertEqual(turn.peak, shown["peak"])
+        self.assertEqual(turn.lower_bound, shown["lower_bound"])
+        self.assertAlmostEqual(math.degrees(turn.at), shown["peak_at"]["turn_deg"], delta=1e-10)
+        self.check_hold(turn.posture, shown["peak_at"])
+
+    def check_planar(self, file, to, objective):
+        read = poise.load(file)
+        options = ["--to", str(to), "--objective", objective.value]
+        shown = answer("turn", file, *options)
+        turn = poise.turn(
+            read.grasp(),
+            to * math.pi / 180,
+            read.angle,
+            domain=read.domain,
+            objective=objective,
+        )
+        self.assertIsInstance(turn, poise.PlanarTurn)
+        self.assertEqual(turn.from_, read.angle or 0)
+        self.check_hold(turn.now, shown["now"])
+        self.check_hold(turn.then, shown["then"])
+        self.check_peak(turn, shown["turn"])
+        self.assertEqual(turn.other is None, shown["turn"]["other_way"] is None)
+        if turn.other is not None:
+            self.check_peak(turn.other, shown["turn"]["other_way"])
+        verdict = poise.verify(read.grasp(), shown)
+        self.assertTrue(verdict, verdict.refuted)
+        verdict = poise.verify(read.grasp(), turn)
+        self.assertTrue(verdict, verdict.refuted)
+
+    def test_examples(self):
+        for file in sorted((ROOT / "examples").glob("*.yaml")):
+            if poise_dimension(file) == 2:
+                for to in [131.99, -40, 180]:
+                    for objective in poise.Objective:
+                        with self.subTest(f"{file.name} {to} {objective.value}"):
+                            self.check_planar(file, to, objective)
+
+    def test_random_grasps(self):
+        rng = np.random.default_rng(31)
+        with tempfile.TemporaryDirectory() as directory:
+            file = Path(directory, "grasp.json")
+            for contacts in [1, 2, 2, 3, 4]:
+                poise.save(random_grasp(rng, contacts), file)
+                for objective in poise.Objective:
+                    self.check_planar(file, rng.uniform(-180, 180), objective)
+
+    def check_spatial(self, file, to, objective):
+        read = poise.load(file)
+        options = ["--to", ",".join(map(str, to)), "--orientation", "1,0,0,0"]
+        options += ["--objective", objective.value, "--gap", "1e-2", "--max-holds", "400"]
+        shown = answer("turn", file, *options)
+        limits = {"gap": 1e-2, "max_holds": 400, "tilt": read.tilt}
+        turn = poise.turn(read.grasps(), to, [1, 0, 0, 0], objective=objective, **limits)
+        self.assertIsInstance(turn, poise.SpatialTurn)
+        verdict = poise.verify(turn.grasp, shown)
+        self.assertTrue(verdict, verdict.refuted)
+        verdict = poise.verify(turn.grasp, turn)
+        self.assertTrue(verdict, verdict.refuted)
+        if any(contact.pad is not None for contact in read.contacts):  # placed with rounding
+            self.assertAlmostEqual(turn.peak / shown["turn"]["peak"], 1, delta=2e-2)
+            self.assertAlmostEqual(turn.way.peak / shown["turn"]["way"]["peak"], 1, delta=2e-2)
+            return
+        self.check_hold(turn.now, shown["now"])
+        self.check_hold(turn.then, shown["then"])
+        shown = shown["turn"]
+        self.check_peak(turn, shown)
+        self.assertEqual(turn.from_.tolist(), [1, 0, 0, 0])
+        self.assertEqual(turn.rotation.tolist(), [shown["rotation"][key] for key in "wxyz"])
+        self.assertEqual(turn.orientation.tolist(), [shown["orientation"][key] for key in "wxyz"])
+        self.assertEqual(turn.way is None, shown["way"] is None)
+        if turn.way is not None:
+            self.check_way(turn.way, shown["way"])
+
+    def check_way(self, way, shown):
+        self.assertEqual(way.status.value, shown["status"])
+        self.assertEqual(way.holds, shown["holds"])
+        self.assertEqual(way.peak, math.inf if shown["peak"] is None else shown["peak"])
+        bound = math.inf if shown["lower_bound"] is None else shown["lower_bound"]
+        self.assertEqual(way.lower_bound, bound)
+        self.assertEqual(way.orientations.shape, (len(way.ups), 4))
+        told = [[each[key] for key in "wxyz"] for each in shown["orientations"]]
+        self.assertEqual(way.orientations.tolist(), told)
+        for orientation, up in zip(way.orientations, way.ups):
+            np.testing.assert_allclose(rotate(orientation, up), [0, 0, 1], atol=1e-12)
+        self.assertEqual(len(way.wall), len(shown["wall"]))
+        for part, expected in zip(way.wall, shown["wall"]):
+            self.assertEqual(part.up.tolist(), expected["up"])
+            if "n" in expected:
+                self.assertEqual(part.cut.n.tolist(), expected["n"])
+            else:
+                self.assertEqual(part.cut.y.tolist(), expected["y"])
+
+    def test_examples_in_space(self):
+        for file in sorted((ROOT / "examples").glob("*.yaml")):
+            if poise_dimension(file) == 3:
+                for objective in poise.Objective:
+                    with self.subTest(f"{file.name} {objective.value}"):
+                        self.check_spatial(file, [0.1, -0.2, 0.6], objective)
+
+    def test_random_grasps_in_space(self):
+        rng = np.random.default_rng(37)
+        with tempfile.TemporaryDirectory() as directory:
+            file = Path(directory, "grasp.json")
+            for contacts in [2, 3, 4, 6]:
+                poise.save(random_spatial_grasp(rng, contacts), file)
+                for objective in poise.Objective:
+                    self.check_spatial(file, rng.normal(size=3).tolist(), objective)
+
+    def test_the_part_of_the_readme(self):
+        grasp = poise.load(ROOT / "examples" / "l-part.yaml").grasp()
+        best = poise.best_posture(grasp, objective=poise.Objective.grip).best
+        turn = poise.turn(grasp, best.optimum.angle, objective=poise.Objective.grip)
+        self.assertAlmostEqual(turn.now.value, 2.125, delta=5e-4)
+        self.assertAlmostEqual(turn.peak, 3.57, delta=5e-3)
+        self.assertAlmostEqual(math.degrees(turn.at), 53, delta=0.5)
+        self.assertAlmostEqual(turn.other.peak, 2.87, delta=5e-3)
+        self.assertAlmostEqual(math.degrees(turn.other.at), -90, delta=0.5)
+        self.assertAlmostEqual(turn.then.value, 1.184, delta=5e-4)
+
+    def test_postures_may_be_told_by_directions(self):
+        rng = np.random.default_rng(41)
+        grasp = disk()
+        one = poise.turn(grasp, 2.5, -0.75)
+        for to, from_ in [
+            (2.5 - 2 * math.pi, -0.75 + 4 * math.pi),
+            (poise.up_at(2.5) * 3, [-math.sin(0.75), math.cos(0.75)]),
+        ]:
+            again = poise.turn(grasp, to, from_)
+            self.assertAlmostEqual(again.from_, -0.75)
+            self.assertAlmostEqual(again.angle, one.angle)
+            self.assertAlmostEqual(again.peak / one.peak, 1)
+        self.assertEqual(poise.turn(grasp, 1).from_, 0)
+        spatial = random_spatial_grasp(rng, 4)
+        now, then = rng.normal(size=(2, 3))
+        turn = poise.turn(spatial, then, now, gap=1e-2)
+        again = poise.turn(spatial, 7 * then, 5 * turn.from_, gap=1e-2)
+        self.assertAlmostEqual(turn.angle, again.angle)
+        self.assertAlmostEqual(turn.now.up @ now, np.linalg.norm(now))
+        whole = poise.smallest_turn(turn.from_, then)
+        np.testing.assert_allclose(turn.rotation, whole, atol=1e-12)
+        self.assertEqual(poise.turn(spatial, then, gap=1e-2).from_.tolist(), [1, 0, 0, 0])
+
+    def test_no_posture_between_needs_more_than_the_peak(self):
+        rng = np.random.default_rng(43)
+        for contacts in [3, 4, 5]:
+            grasp = random_spatial_grasp(rng, contacts)
+            ups = rng.normal(size=(20, 3))
+            held = [up for up in ups if poise.hold(grasp, up).holdable]
+            if len(held) < 2:
+                continue
+            turn = poise.turn(grasp, held[1], held[0])
+            self.assertLessEqual(turn.way.lower_bound, turn.peak * (1 + 1e-9))
+            self.assertLessEqual(turn.way.peak, turn.peak * (1 + 2e-3))
+            for peak, bound, corners in [
+                (turn.peak, turn.lower_bound, np.array([turn.now.up, turn.then.up])),
+                (turn.way.peak, 0, turn.way.ups),
+            ]:
+                between = [
+                    a * math.cos(t) + b * math.sin(t)
+                    for a, b in zip(corners, corners[1:])
+                    for t in np.linspace(0, math.pi / 2, 200)
+                ]
+                most = poise.hold_many(grasp, between).effort.max()
+                self.assertLessEqual(most, peak * (1 + 1e-9))
+                self.assertGreaterEqual(most, bound * (1 - 1e-2))
+
+    def test_a_turn_through_postures_that_cannot_be_held(self):
+        slippery = disk(0.1, 0.1)
+        turn = poise.turn(slippery, math.radians(170), math.radians(-170))
+        self.assertAlmostEqual(math.degrees(turn.angle), -20)
+        self.assertTrue(math.isfinite(turn.peak))
+        self.assertEqual(turn.other.peak, math.inf)
+        (stretch,) = turn.other.unholdable
+        self.assertIn("unholdable", repr(turn.other))
+        self.assertIn("unholdable", repr(stretch.posture))
+        self.assertLess(0, stretch.from_)
+        self.assertLess(stretch.from_, stretch.at)
+        self.assertEqual(stretch.reason, poise.reason(slippery, stretch.posture.hold))
+        for end, held in [(stretch.from_ - 1e-3, True), (stretch.from_ + 1e-3, False)]:
+            up = poise.up_at(turn.from_ + end)
+            self.assertEqual(poise.hold(slippery, up).holdable, held)
+
+    def test_an_end_that_cannot_be_held(self):
+        turn = poise.turn(disk(0.1, 0.1), 0, math.pi)
+        self.assertFalse(turn.then.holdable)
+        self.assertEqual(turn.peak, math.inf)
+        lid = poise.Contact([0, 0, 1], [0, 0, -1], 0.5, max_normal=5)
+        table = poise.Contact([0, 0, -1], [0, 0, 1], 0.5)
+        grasp = poise.Grasp(poise.Object(1, [0, 0, 0]), [lid, table])
+        turn = poise.turn(grasp, [1, 0, 0.1])
+        self.assertTrue(turn.now.holdable)
+        weak = poise.Grasp(poise.Object(20, [0, 0, 0]), [lid, table])
+        turn = poise.turn(weak, [0, 0, -1])
+        self.assertTrue(turn.now.holdable)
+        self.assertFalse(turn.then.holdable)
+        self.assertIsNone(turn.way)
+        self.assertEqual(turn.peak, math.inf)
+        self.assertTrue(turn.unholdable[-1].reason)
+        with self.assertRaises(poise.InvalidGrasp) as caught:
+            poise.best_reachable(weak, [0, 0, -1], [0, 0, 1])
+        self.assertEqual(str(caught.exception), "from_: cannot be held")
+        with self.assertRaises(poise.InvalidGrasp) as caught:
+            poise.best_reachable(disk(0.1, 0.1), 0)
+        self.assertEqual(str(caught.exception), "from_: cannot be held")
+
+    def test_best_reachable_is_that_of_the_program(self):
+        seen = 0
+        rng = np.random.default_rng(47)
+        with tempfile.TemporaryDirectory() as directory:
+            file = Path(directory, "grasp.json")
+            for contacts in [2, 3, 3, 4, 4]:
+                grasp = random_grasp(rng, contacts)
+                values = poise.to_dict(grasp)
+                values["angle_deg"] = float(rng.integers(-180, 180))
+                values["objective"] = "effort"
+                file.write_text(json.dumps(values))
+                shown = answer("best", file).get("without_pressing_harder")
+                if not shown:
+                    continue
+                seen += 1
+                from_ = poise.load(file).angle
+                found = poise.best_reachable(grasp, from_)
+                told = [shown[f"{key}_deg"] for key in ("turn", "least_turn", "most_turn")]
+                angles = [found.angle, found.least_angle, found.most_angle]
+                np.testing.assert_allclose(np.degrees(angles), told, atol=1e-9)
+                self.assertEqual(found.posture.value, shown["effort"])
+                between = from_ + np.linspace(found.least_angle, found.most_angle, 200)
+                ups = np.column_stack([np.sin(between), np.cos(between)])
+                now = poise.hold(grasp, poise.up_at(from_)).effort
+                self.assertLessEqual(poise.hold_many(grasp, ups).effort.max(), now * (1 + 1e-6))
+        self.assertGreater(seen, 0)
+
+    def test_best_reachable_in_space_is_that_of_the_program(self):
+        seen = 0
+        rng = np.random.default_rng(53)
+        with tempfile.TemporaryDirectory() as directory:
+            file = Path(directory, "grasp.json")
+            for contacts in [3, 4, 4, 5]:
+                grasp = random_spatial_grasp(rng, contacts)
+                values = poise.to_dict(grasp)
+                values["objective"] = "effort"
+                file.write_text(json.dumps(values))
+                shown = answer("best", file, "--orientation", "1,0,0,0")
+                near = shown.get("without_pressing_harder")
+                if not near:
+                    continue
+                seen += 1
+                found = poise.best_reachable(grasp, [1, 0, 0, 0], shown["best"]["up"])
+                self.assertEqual(found.posture.up.tolist(), near["up"])
+                self.assertEqual(found.lower_bound, near["reachable_bound"])
+                self.assertEqual(found.way.peak, near["peak"])
+                self.assertEqual(found.way.status.value, near["status"])
+                told = [[each[key] for key in "wxyz"] for each in near["orientations"]]
+                self.assertEqual(found.way.orientations.tolist(), told)
+        self.assertGreater(seen, 0)
+
+    def test_documents_that_are_spoilt_are_refuted(self):
+        file = ROOT / "examples" / "l-part.yaml"
+        grasp = poise.load(file).grasp()
+        shown = answer("turn", file, "--to", "131.99")
+        self.assertTrue(poise.verify(grasp, json.dumps(shown)))
+        shown["turn"]["peak"] *= 0.99
+        self.assertIn("turn.peak", [each.path for each in poise.verify(grasp, shown).refuted])
+        turn = poise.turn(grasp, 2)
+        self.assertFalse(poise.verify(poise.with_weight(grasp, 2), turn))
+
+    def test_plot(self):
+        import matplotlib
+
+        matplotlib.use("Agg")
+        grip = poise.Objective.grip
+        grasp = poise.load(ROOT / "examples" / "l-part.yaml").grasp()
+        turn = poise.turn(grasp, math.radians(131.99), objective=grip)
+        axes = poise.plot.turn(turn)
+        for line, way in zip(axes.lines, [turn, turn.other]):
+            x, y = line.get_data()
+            self.assertAlmostEqual(y.max() / way.peak, 1, delta=1e-3)
+            self.assertAlmostEqual(max(abs(x)), abs(math.degrees(way.angle)))
+            at = poise.up_at(math.radians(x[40]))
+            self.assertAlmostEqual(y[40] / poise.least_grip(grasp, at).grip, 1, delta=1e-6)
+        self.assertEqual(axes.get_ylabel(), "grip to command")
+
+        slippery = poise.turn(disk(0.1, 0.1), math.radians(170), math.radians(-170))
+        axes = poise.plot.turn(slippery)
+        self.assertEqual(len(axes.patches), 1)
+        shaded = axes.patches[0].get_extents().transformed(axes.transData.inverted())
+        (stretch,) = slippery.other.unholdable
+        np.testing.assert_allclose(
+            shaded.intervalx, np.degrees([stretch.from_, stretch.to]), atol=1e-6
+        )
+
+        rng = np.random.default_rng(15)
+        grasp = random_spatial_grasp(rng, 4)
+        for objective in poise.Objective:
+            turn = poise.turn(grasp, rng.normal(size=3), rng.normal(size=3), objective=objective)
+            axes = poise.plot.turn(turn)
+            if not math.isfinite(turn.peak):
+                continue
+            x, y = axes.lines[0].get_data()
+            value = y**2 if objective == poise.Objective.effort else y
+            self.assertAlmostEqual(value.max() / turn.peak, 1, delta=2e-3)
+            self.assertAlmostEqual(x[-1], math.degrees(turn.angle))
+            with tempfile.TemporaryDirectory() as directory:
+                file = Path(directory, "turn.png")
                 axes.figure.savefig(file)
                 self.assertGreater(file.stat().st_size, 5000)
 
@@ -973,6 +1323,37 @@ class Misuse(unittest.TestCase):
         self.check("tilt.from_", poise.best_posture, spatial, tilt=poise.Tilt([0, 0, 0], 0.5))
         self.check("orientation", poise.smallest_turn, [0, 0, 0, 0], [0, 0, 1])
 
+    def test_turns(self):
+        planar, spatial = disk(), random_spatial_grasp(np.random.default_rng(17), 3)
+        for wrong in [math.nan, math.inf, [0, 0], [math.nan, 1], [0, 1, 0]]:
+            self.check("to", poise.turn, planar, wrong)
+            self.check("from_", poise.turn, planar, 1, wrong)
+            self.check("from_", poise.best_reachable, planar, wrong)
+        for wrong in [1.0, [0, 1], [0, 0, 0], [0, math.nan, 1]]:
+            self.check("to", poise.turn, spatial, wrong)
+            self.check("from_", poise.turn, spatial, [0, 0, 1], wrong)
+            self.check("from_", poise.best_reachable, spatial, wrong, [0, 0, 1])
+            self.check("towards", poise.best_reachable, spatial, [0, 0, 1], wrong)
+        for wrong in [[0, 0, 0, 0], [1, 0, math.inf, 0], [1, 0, 0, 0, 0]]:
+            self.check("from_", poise.turn, spatial, [0, 0, 1], wrong)
+        self.check("to", poise.turn, spatial, [1, 0, 0, 0])
+        self.check("towards", poise.best_reachable, spatial, [0, 0, 1])
+        self.check("towards", poise.best_reachable, planar, 0, [0, 0, 1])
+        self.check("scenarios", poise.turn, [], [0, 0, 1])
+        self.check("grasp", poise.turn, [planar], 1)
+        self.check("tilt", poise.turn, planar, 1, tilt=poise.Tilt([0, 0, 1], 0.5))
+        domain = poise.Domain.pinching_up
+        self.check("domain", poise.turn, spatial, [0, 1, 1], domain=domain)
+        for call in poise.turn, poise.best_reachable:
+            for gap in [0, 1, math.nan]:
+                self.check("gap", call, spatial, [0, 1, 1], [0, 0, 1], gap=gap)
+            self.check("max_holds", call, spatial, [0, 1, 1], [0, 0, 1], max_holds=0)
+            self.check("force_cap", call, spatial, [0, 1, 1], [0, 0, 1], force_cap=0)
+            self.check("force_cap", call, planar, 1, force_cap=math.nan)
+        for wrong in ["up", None, [[0, 1], [1, 0]]]:
+            with self.assertRaises(TypeError):
+                poise.turn(planar, wrong)
+
     def test_reprs(self):
         grasp = disk()
         best = poise.best_posture(grasp)
@@ -991,6 +1372,11 @@ class Misuse(unittest.TestCase):
         parts = [capacity, capacity.weights, capacity.weights.greatest, capacity.friction]
         parts += poise.deciding(grasp, [0, 0, 1], capacity.weights.greatest.dual)
         tilt = poise.Tilt([0, 0, 1], 1)
+        turn = poise.turn(grasp, [0, 1, 0])
+        parts += [turn, turn.now, poise.turn(disk(), 1), poise.best_reachable(disk(), 1)]
+        if turn.way is not None:
+            parts += [turn.way, *turn.way.wall[:1]]
+            parts.append(poise.best_reachable(grasp, [0, 1, 0], best.best.up))
         for value in [best, best.best, best.cuts[0], hold, hold.forces[0], tilt, *parts]:
             self.assertRegex(repr(value), r"^\w+\(.*\)$")
             self.assertNotIn("object at", repr(value))

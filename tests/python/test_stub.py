@@ -91,10 +91,12 @@ class Stub(unittest.TestCase):
 
     def test_names_are_those_of_cpp(self):
         # Settings are keywords, linear algebra is numpy's, words of enumerations are their names.
-        # A hand with its loads is a Grasp, a load an Object; postures are told by their holds.
+        # A hand with its loads is a Grasp, a load an Object.
         elsewhere = {"CurveSettings", "HoldSettings", "SpatialSettings", "Hand", "Load"}
-        elsewhere |= {"Posture", "posture_of", "Minimum", "minimum_at", "Best", "Proof"}
-        elsewhere |= {"Turn", "turn_to", "orientation_of", "force_vector"}
+        elsewhere |= {"posture_of", "Minimum", "minimum_at", "Best", "Proof", "force_vector"}
+        # turn() has them all.
+        elsewhere |= {"Turn", "turn_to", "orientation_of", "turn_peak", "ways_round"}
+        elsewhere |= {"least_peak_way", "TurnSettings", "Reachable"}
         elsewhere |= {"for_each_contact_field", "Drive", "DriveEffort", "DriveKind", "Finger"}
         elsewhere |= {"GripUnit", "Mechanism", "grip_bound", "grip_unit", "has_grip", "most_grip"}
         elsewhere |= {"SmallVector", "Twist", "Vector", "Wrench", "to_string"}
