@@ -77,7 +77,8 @@ Case random_case(Kind kind, std::size_t contacts, Objective objective) {
 Case random_case() {
   const auto kind = static_cast<Kind>(pick(0, static_cast<int>(Kind::count) - 1));
   const auto contacts = static_cast<std::size_t>(pick(3, 6));
-  return random_case(kind, contacts, one_in(2) ? Objective::effort : Objective::grip);
+  const bool by_grip = one_in(2) || kind == Kind::max;
+  return random_case(kind, contacts, by_grip ? Objective::grip : Objective::effort);
 }
 
 /// The posture after a part of the angle of a rotation that is applied to an orientation.
