@@ -9,6 +9,9 @@ namespace poise {
 namespace turns {
 namespace {
 
+/// The part of what is open between the bound and the best in which triangles are cut in one go.
+constexpr double at_once = 0.3;
+
 /// The search for the lowest posture that is connected to where it is now by postures that need no
 /// more.
 class ReachSearch {
@@ -47,26 +50,31 @@ class ReachSearch {
       best_ = mesh.corner(lowest_corner_).x;
       ups_.clear();
       for (const int k : reached.way(lowest_corner_)) ups_.push_back(mesh.corner(k).x);
-      const int lowest = lowest_triangle(mesh);
-      proven_ = std::min(best_p_, mesh.triangle(lowest).least);
+      const std::vector<int> lowest = lowest_triangles(mesh);
       if (is_done()) break;
-      const auto& corners = mesh.triangle(lowest).corners;
+      const auto& corners = mesh.triangle(lowest.front()).corners;
       const auto doubtful = doubtful_on_way(mesh, 0, {corners.begin(), corners.end()}, most_);
-      if (!refine(mesh, doubtful.empty() ? std::vector<int>{lowest} : doubtful)) break;
+      if (!refine(mesh, doubtful.empty() ? lowest : doubtful)) break;
     }
     if (ups_.size() > 1) ups_ = fewest_steps(values_, ups_, most_);
   }
 
-  /// The triangle that may need least among those that may be reached.
-  int lowest_triangle(const Mesh& mesh) const {
+  /// Of the triangles that may be reached those that may need least, the lowest first: a part of
+  /// what is open. Says what all of them need at least.
+  std::vector<int> lowest_triangles(const Mesh& mesh) {
     const Levels levels = levels_proven(mesh, 0, std::nextafter(now_.p, infinity));
-    int lowest = -1;
+    std::vector<int> open;
     for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
       const Triangle& triangle = mesh.triangles()[t];
-      if (!(levels.to(triangle.corners[0]) <= now_.p) || triangle.least > now_.p) continue;
-      if (lowest < 0 || triangle.least < mesh.triangle(lowest).least) lowest = static_cast<int>(t);
+      if (levels.to(triangle.corners[0]) <= now_.p && triangle.least < best_p_)
+        open.push_back(static_cast<int>(t));
     }
-    return lowest;
+    const auto least = [&](int t) { return mesh.triangle(t).least; };
+    std::sort(open.begin(), open.end(), [&](int a, int b) { return least(a) < least(b); });
+    proven_ = open.empty() ? best_p_ : least(open.front());
+    const double level = proven_ + at_once * (best_p_ - proven_);
+    while (!open.empty() && least(open.back()) > level) open.pop_back();
+    return open;
   }
 
   Reachable<3> result() {
