@@ -333,7 +333,8 @@ class Python:
             for each, member in vars(type(value)).items():  # of what is called, and has functions
                 if not each.startswith("_") and inspect.isfunction(member):
                     shown = tidy(f"{name}.{each}{inspect.signature(getattr(value, each))}", 1000)
-                    rows.append((inline(shown), prose(inspect.getdoc(member) or "", "../")))
+                    words = prose(inspect.getdoc(member) or "", "../").replace("\n\n", "<br>")
+                    rows.append((inline(shown), words))
         return text + self.words(name, doc) + terms(rows) + self.see(name)
 
     def beside(self, owner: type, name: str) -> str:

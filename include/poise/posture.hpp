@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "poise/hold.hpp"
@@ -14,7 +15,10 @@ namespace poise {
 inline Vector<2> up_at(double theta) { return {std::sin(theta), std::cos(theta)}; }
 
 /// The theta [rad], in (-pi, pi], of a planar posture.
-inline double angle_of(const Vector<2>& up) { return std::atan2(up.x(), up.y()); }
+inline double angle_of(const Vector<2>& up) {
+  const double theta = std::atan2(up.x(), up.y());
+  return theta > -std::numbers::pi ? theta : std::numbers::pi;  // atan2(-1e-17, -1) is -pi
+}
 
 /// An interval of planar postures [rad]: from <= to <= from + 2 pi, from in [-pi, pi).
 /// The whole circle is [-pi, pi]; a single posture has from == to.

@@ -30,15 +30,20 @@ OWN_WORDS = {
     "LeastFriction.factor",
     "Objective.effort",
     "Pad",
+    "Posture",
     "PostureCurve.states",
     "Tilt",
+    "TurnPeak.posture",
+    "TurnPeak.unholdable",
     "UnholdableArc",
+    "Way.ups",
     "WeightEnd.dual",
     "WeightEnd.rates",
     "WeightEnd.weight",
     "all_loaded",
     "angle_of",
     "best_posture",
+    "best_reachable",
     "bound",
     "capacity",
     "deciding",
@@ -89,6 +94,7 @@ class Reference(unittest.TestCase):
         only_here = {name for name in python.stub if name in python.module.__all__} - set(python.places)
         own = {"Acronym", "BestPosture", "BestSpatialPosture", "Holds", "PlanarPosture", "Refutation"}
         own |= {"SpatialPosture", "Verdict", "answer_record", "best_many", "hold_many", "verify"}
+        own |= {"PlanarTurn", "SpatialTurn", "PlanarReachable", "SpatialReachable", "turn"}
         self.assertEqual(only_here, own | {"with_friction", "with_weight", "without_limits"})
         text = python.page()
         for name in python.module.__all__:
