@@ -67,6 +67,14 @@ export async function drag(page, selector, dx, dy) {
 /** In space: everything there is to know has come from the worker. */
 export const settled = (page) => page.waitForSelector('body[data-settled="1"]');
 
+/** What the turn takes has been told. */
+export const turnTold = (page) => page.waitForFunction(() => [...document.querySelectorAll('#turn > div:not([hidden])')].every((each) => each.ariaBusy === 'false'));
+/** Its heading, its words, its buttons. */
+export const turnSaid = (page) => page.evaluate(() => {
+  const turn = document.querySelector('#turn > div:not([hidden])');
+  return { head: turn.querySelector('h2').textContent, words: turn.querySelector('p').textContent, buttons: [...turn.querySelectorAll('button:not([hidden])')].map((each) => each.ariaLabel) };
+});
+
 export async function finish() {
   await browser.close();
   console.log(failures ? `${failures} failures` : `The page is as it should be; pictures in ${out}`);
