@@ -32,6 +32,9 @@ const rounding = 1e-6;
 const rest = 150;  // [ms]
 const perDegree = 22;  // [ms]
 const shortest = 1200;  // [ms]
+/** Pictures of a course. */
+const fewest = 40;
+const still = 1500;  // [ms]
 const margin = { left: 58, right: 16, top: 24, bottom: 36 };
 
 export class Player<Posture> {
@@ -44,7 +47,10 @@ export class Player<Posture> {
   /** Where on which course the object is, if it is on one. */
   private on: { course: number; way: number } | undefined;
   private playing = 0;
-  private size: Point = [500, 170];
+  private size: Point = [500, 165];
+  /** Where the axes end. */
+  private longest = 1;
+  private top = 1;
   private measure!: Measure;
 
   private readonly head = html('h2');
@@ -125,7 +131,8 @@ export class Player<Posture> {
 
   /** Another grasp. */
   forget(): void {
-    this.turning = undefined;
+    this.turning = this.asked = this.on = undefined;
+    this.stop();
   }
 
   private shown = () => this.turning!.courses[this.on!.course]!.at(this.on!.way);
@@ -176,34 +183,38 @@ export class Player<Posture> {
     const begin = this.on?.course === k && this.on.way < size ? this.on.way : 0;
     this.parent.dispatchEvent(new CustomEvent('play', { bubbles: true }));
     const mine = (this.playing = Math.random());
-    const since = performance.now();
-    const goes = (way: number): boolean => {
+    this.move(k, begin);
+    const goes = (by: number): boolean => {
       // Whoever turned it otherwise has it.
-      if (this.playing !== mine || (this.on && !(this.of.apart(this.of.now(), this.shown()) < rounding))) return false;
+      if (this.playing !== mine || !this.on || !(this.of.apart(this.of.now(), this.shown()) < rounding)) return false;
+      const way = Math.min(this.on.way + by, size);
       this.move(k, way);
       if (way >= size) this.stop();
       return way < size;
     };
     if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
       // Nothing moves: the beginning, the peak and the end.
-      const stations = [begin, ...(peak && peak[0] > begin && peak[0] < size ? [peak[0]] : []), size];
-      const next = (i: number) => void (goes(stations[i]!) && setTimeout(() => next(i + 1), 1500));
-      this.on = undefined;
+      const steps = peak && peak[0] > begin && peak[0] < size ? [peak[0] - begin, size] : [size];
+      const next = (i: number): void => void setTimeout(() => goes(steps[i]!) && next(i + 1), still);
       return next(0);
     }
     const pace = Math.max(perDegree, shortest / size);
-    this.move(k, begin);
-    const step = () => void (goes(Math.min(begin + (performance.now() - since) / pace, size)) && requestAnimationFrame(step));
+    let before = performance.now();
+    const step = () => {
+      // Where a picture takes long, it takes longer: nothing is leapt over.
+      const now = performance.now();
+      const goesOn = goes(Math.min((now - before) / pace, size / fewest));
+      before = now;
+      if (goesOn) requestAnimationFrame(step);
+    };
     requestAnimationFrame(step);
   }
 
-  private longest = () => Math.max(...this.turning!.courses.map(({ size }) => size));
   private width = () => this.size[0] - margin.left - margin.right;
   private height = () => this.size[1] - margin.top - margin.bottom;
-  private x = (way: number) => margin.left + (way / this.longest()) * this.width();
-  private wayAt = (x: number) => ((x - margin.left) / this.width()) * this.longest();
-  private y = (height: number) => margin.top + (1 - height / this.top()) * this.height();
-  private top = () => 1.12 * (highest(this.turning!.courses) || 1);
+  private x = (way: number) => margin.left + (way / this.longest) * this.width();
+  private wayAt = (x: number) => ((x - margin.left) / this.width()) * this.longest;
+  private y = (height: number) => margin.top + (1 - height / this.top) * this.height();
 
   /** The course whose curve is nearest to a point. */
   private nearest(x: number, y: number): number {
@@ -217,16 +228,18 @@ export class Player<Posture> {
 
   private drawPlot({ courses }: Turning<Posture>): void {
     const box = this.picture.getBoundingClientRect();
-    this.size = [box.width || 500, box.height || 170];
+    this.size = [box.width || 500, box.height || 165];
+    this.longest = Math.max(...courses.map(({ size }) => size));
+    this.top = 1.12 * (highest(courses) || 1);
     set(this.picture, { viewBox: `0 0 ${this.size[0]} ${this.size[1]}` });
     set(this.area, { x: margin.left, y: margin.top, width: this.width(), height: this.height() });
     const floor = margin.top + this.height();
-    const [left, right] = [this.x(0), this.x(this.longest())];
-    const heights = steps(this.top(), this.height() / 22);
-    const apartBy = this.longest() / (this.width() < 400 ? 3 : 5);
+    const [left, right] = [this.x(0), this.x(this.longest)];
+    const heights = steps(this.top, this.height() / 22);
+    const apartBy = this.longest / (this.width() < 400 ? 3 : 5);
     const step = [1, 2, 5, 10, 15, 30, 45, 60, 90].find((each) => each >= apartBy) ?? 90;
-    const fine = this.longest() < 3;
-    const ways = fine ? [0, this.longest()] : Array.from({ length: Math.floor(this.longest() / step) + 1 }, (_, k) => k * step);
+    const fine = this.longest < 3;
+    const ways = fine ? [0, this.longest] : Array.from({ length: Math.floor(this.longest / step) + 1 }, (_, k) => k * step);
     const title = text(this.measure.title, [0, 0], 'title');
     set(title, { transform: `translate(13 ${margin.top + this.height() / 2}) rotate(-90)` });
     const curve = ({ kind, pieces }: Course<Posture>) =>
@@ -283,7 +296,7 @@ export class Player<Posture> {
       button.hidden = !course;
       if (!course) return;
       const runs = this.playing !== 0 && this.course === k;
-      const label = `${course.name}${runs ? ', playing' : `, ${degrees(course.size)}`}`;
+      const label = `${course.name.replace('the ', '')}${runs ? ', playing' : `, ${degrees(course.size)}`}`;
       if (button.textContent === label) return;
       set(button, { 'aria-label': `${runs ? 'Stop' : 'Play'} ${course.name}` });
       button.replaceChildren(

@@ -292,9 +292,12 @@ export class SphereView {
     };
     const marks: Node[] = [node('circle', { cx: centre[0], cy: centre[1], r: this.eye.scale, class: 'limb' })];
     marks.push(...[...(this.turning?.courses ?? [])].reverse().flatMap((course) => this.courseOn(course, at)));
+    const top = at([0, 0, 1]);
     if (this.turning) {
       const [x, y, z] = at(turned(this.model.orientation, this.turning.from));
-      if (z > 0) marks.push(node('circle', { cx: x, cy: y, r: 4, class: 'start' }), text('start', [x, y + 18], 'optimum-label'));
+      if (z > 0) marks.push(node('circle', { cx: x, cy: y, r: 4, class: 'start' }));
+      // Up there other words are.
+      if (z > 0 && Math.hypot(x - top[0], y - top[1]) > 40) marks.push(text('start', [x, y + 18], 'optimum-label'));
     }
     const { measure } = this.model.answers;
     const minima = best ? [...best.minima] : [];
@@ -309,7 +312,6 @@ export class SphereView {
       if (name) mark.append(text(name, [x, y + 20], 'optimum-label'));
       marks.push(mark);
     }
-    const top = at([0, 0, 1]);
     const pin = at([0, 0, 1.13]);
     marks.push(
       line([top[0], top[1]], [pin[0], pin[1]], 'pin'),
@@ -320,7 +322,7 @@ export class SphereView {
   }
 
   /** The line of the directions that point up on the turn: faint behind the sphere. */
-  private courseOn({ kind, size, peak, at: posture }: Course<Vec>, at: (p: Vec) => Vec): Node[] {
+  private courseOn({ kind, name, size, peak, at: posture }: Course<Vec>, at: (p: Vec) => Vec): Node[] {
     const points = Array.from({ length: 97 }, (_, k) => at(turned(this.model.orientation, posture((size * k) / 96))));
     const pieces: { behind: boolean; points: Point[] }[] = [];
     for (const [k, [x, y, z]] of points.entries()) {
@@ -335,7 +337,7 @@ export class SphereView {
     ]);
     const [x, y, z] = peak ? at(turned(this.model.orientation, posture(peak[0]))) : [0, 0, -1];
     if (peak === undefined || z < 0) return lines;
-    return [...lines, node('path', { d: peakMark([x, y]), class: `peak ${kind} passive` }), text(this.model.answers.measure.text(peak[1]), [x, y - 13], 'optimum-label')];
+    return [...lines, node('path', { d: peakMark([x, y]), class: `peak ${kind}` }, node('title', {}, `the most on ${name}: ${this.model.answers.measure.text(peak[1])}`))];
   }
 
   private drawLegend(range: { low: number; high: number } | undefined): void {

@@ -75,6 +75,26 @@ export const turnSaid = (page) => page.evaluate(() => {
   return { head: turn.querySelector('h2').textContent, words: turn.querySelector('p').textContent, buttons: [...turn.querySelectorAll('button:not([hidden])')].map((each) => each.ariaLabel) };
 });
 
+/** The verdict, as soon as it begins so: that may soon be over. */
+export const verdictAt = async (page, words) => (await page.waitForFunction((begin) => {
+  const text = document.querySelector('#verdict').textContent;
+  return text.startsWith(begin) && text;
+}, words)).jsonValue();
+
+/** Plays a course and stops it after an angle, within the page, as no other clock can be relied on. Gives what the button says before. */
+export const playAndStop = (page, course, after) => page.evaluate(([name, angle]) => new Promise((done) => {
+  const turn = document.querySelector('#turn > div:not([hidden])');
+  const button = turn.querySelector(`button[aria-label="Play ${name}"]`);
+  button.click();
+  const look = () => {
+    if (!(turn.querySelector('.posture').ariaValueNow > angle)) return requestAnimationFrame(look);
+    const label = button.ariaLabel;
+    button.click();
+    done(label);
+  };
+  requestAnimationFrame(look);
+}), [course, after]);
+
 export async function finish() {
   await browser.close();
   console.log(failures ? `${failures} failures` : `The page is as it should be; pictures in ${out}`);
