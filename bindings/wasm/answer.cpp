@@ -117,6 +117,7 @@ Question question_of(const Field& root, const std::string& word, const FileOf<Di
   constexpr std::pair<const char*, Command> commands[] = {{"check", Command::check},
                                                           {"hold", Command::hold},
                                                           {"best", Command::best},
+                                                          {"turn", Command::turn},
                                                           {"curve", Command::curve}};
   Question question{.objective = file.objective, .force_cap = read_cap(root)};
   if (const auto objective = root.find("objective"))
@@ -125,6 +126,7 @@ Question question_of(const Field& root, const std::string& word, const FileOf<Di
   if (!has_grip(grasp)) question.objective = Objective::effort;
   for (const auto& [name, command] : commands)
     if (word == name) question.command = command;
+  if (const auto with_turn = root.find("with_turn")) question.with_turn = with_turn->truth();
   return question;
 }
 
@@ -136,14 +138,15 @@ std::string objectives(const FileOf<Dim>& file, const Grasp<Dim>& grasp) {
 }
 
 std::string answer(const std::string& command, const Field& root, const PlanarFile& file) {
-  root.mapping({"command", "grasp", "angle_deg", "domain", "force_cap", "objective"},
+  root.mapping({"command", "grasp", "angle_deg", "domain", "force_cap", "objective", "with_turn"},
                {"up", "ups", "cuts"}, "is for space, not for the plane");
-  root.get("command", "").word({"check", "hold", "best", "curve", "margins", "objectives"});
+  root.get("command", "").word({"check", "hold", "best", "turn", "curve", "margins", "objectives"});
   const Grasp<2> grasp = file.grasp();
   Question question = question_of<2>(root, command, file, grasp);
   if (const auto domain = root.find("domain"))
     question.domain =
         domain->word({"all", "pinching-up"}) == "all" ? Domain::all : Domain::pinching_up;
+  if (command == "turn") root.get("angle_deg", "a posture to turn to");
   if (const auto angle = root.find("angle_deg")) question.angle_deg = angle->number();
   if (command == "margins") return margins<2>(file, grasp, question);
   if (command == "objectives") return objectives<2>(file, grasp);
@@ -151,12 +154,13 @@ std::string answer(const std::string& command, const Field& root, const PlanarFi
 }
 
 std::string answer(const std::string& command, const Field& root, const SpatialFile& file) {
-  root.mapping({"command", "grasp", "up", "force_cap", "objective", "ups", "cuts"},
+  root.mapping({"command", "grasp", "up", "force_cap", "objective", "with_turn", "ups", "cuts"},
                {"angle_deg", "domain"}, "is for the plane, not for space");
   root.get("command", "")
-      .word({"check", "hold", "best", "margins", "objectives", "values", "planes"});
+      .word({"check", "hold", "best", "turn", "margins", "objectives", "values", "planes"});
   const Grasp<3> grasp = file.grasp();
   Question question = question_of<3>(root, command, file, grasp);
+  if (command == "turn") root.get("up", "a posture to turn to");
   if (const auto up = root.find("up")) {
     const Vector<3> given = up->vector<3>();
     if (!(given.stableNorm() > 0)) up->fail("has no length, must be a direction");

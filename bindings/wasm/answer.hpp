@@ -6,9 +6,10 @@ namespace poise {
 
 /// Answers a request: {"command", "grasp": {a grasp file}} and what the command may have besides.
 ///
-/// `check`, `hold` ("angle_deg", in space "up"), `best` and `curve` ("domain", "force_cap") give
-/// the document that the command line prints with --json. "objective" is grip or effort, else that
-/// of the file; of a hand without a grip the answer is that for effort, as its options say.
+/// `check`, `hold` ("angle_deg", in space "up"), `turn` (the same: where to), `best` ("with_turn":
+/// false leaves out the turn, which takes longer than the rest) and `curve` ("domain", "force_cap")
+/// give the document that the command line prints with --json. "objective" is grip or effort, else
+/// that of the file; of a hand without a grip the answer is that for effort, as its options say.
 ///   margins  ("angle_deg", in space "up"): {"weight", "holdable", "greatest_weight",
 ///            "friction_factor"}: the greatest weight that is still held in the posture, null where
 ///            any is, and the least common factor on all frictions, null where none is enough; in

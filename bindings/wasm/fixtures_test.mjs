@@ -2,7 +2,8 @@
 // FIXTURES EXAMPLES PROGRAM. For grip and for effort. Numbers to 1e-9 of themselves, those near nothing
 // to 1e-12, and to 1e-9 of the best posture in space; forces of the least grip to 1e-8; everything else
 // exactly. Other minima in space are found by descent: V is flat there, so that V is as exact, and where
-// it lies only to 1e-7; where a search went another way, to 1e-5, and of the grip its best value.
+// it lies only to 1e-7; where a search went another way, to 1e-5, and of the grip its best value. Of turns
+// in space the two pairs of bounds overlap.
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -37,7 +38,7 @@ function compare(found, wanted, path, exact = 1e-9) {
       // So are the proofs of a grip that several drives or contacts decide.
       if (key === 'cuts' || key === 'holds' || key === 'y' || key === 'rates') continue;
       if ((key === 'lower_bound' || key === 'relative_gap') && wanted.cuts && !sameSearch(found, wanted)) continue;
-      const searched = ['minima', 'best', 'best_pinched', 'rotation', 'orientation', 'relative_gap'].includes(key);
+      const searched = ['minima', 'best', 'best_pinched', 'relative_gap', 'turn', 'without_pressing_harder'].includes(key);
       // Of equally good postures any may be found.
       if (wanted.options?.objective === 'grip' && wanted.cuts && searched && !sameSearch(found, wanted)) {
         if (key === 'best') compare(valueOf(found.best), valueOf(wanted.best), `${path}.best`, wanted.options.gap);
@@ -47,6 +48,11 @@ function compare(found, wanted, path, exact = 1e-9) {
       const isGrip = (wanted.options ?? wanted).objective === 'grip';
       const ofHold = key !== 'effort' || 'force_norm' in wanted; // else of a drive
       const sure = ofHold && [...(wanted.objective === 'grip' ? ['grip'] : ['effort', 'force_norm']), 'scenario_efforts', 'lower_bound'].includes(key);
+      if (wanted[key] && (key === 'without_pressing_harder' || key === 'turn') && (wanted.cuts || 'way' in wanted[key])) {
+        if (key === 'turn') sameTurn(found[key], wanted[key], `${path}.${key}`, wanted.cuts ? 1e-4 : 1e-9);
+        else sameBounds([found[key]?.reachable_bound, valueOf(found[key])], [wanted[key].reachable_bound, valueOf(wanted[key])], `${path}.${key}`);
+        continue;
+      }
       const listed = (each) => (key === 'minima' && flat ? [...each.minima].sort(inOrder) : each?.[key]);
       compare(listed(found), listed(wanted), `${path}.${key}`, sure ? 1e-9 : flat || (isGrip ? Math.max(exact, 1e-8) : exact));
     }
@@ -66,6 +72,24 @@ function sameSearch(found, wanted) {
   searches[same ? 'same' : 'other'].add(found);
   return same;
 }
+/** Both enclose the same. */
+function sameBounds(found, wanted, path) {
+  const [low, high] = [found, wanted].map(([, most]) => (most ?? Infinity) * (1 + 1e-9));
+  expect((found[0] ?? Infinity) <= high && (wanted[0] ?? Infinity) <= low, `${path}: ${found} instead of ${wanted}`);
+  ++compared;
+}
+
+/** To where it leads, and what is proven of it: where the peak of equal ones is, rounding decides. */
+function sameTurn(found, wanted, path, exact) {
+  for (const key of ['rotation', 'orientation', 'turn_deg']) compare(found?.[key], wanted[key], `${path}.${key}`, exact);
+  const bounds = (each) => [each?.lower_bound, each?.peak];
+  sameBounds(bounds(found), bounds(wanted), `${path}.peak`);
+  const stretches = (each) => each?.unholdable.map(({ from_deg, to_deg }) => [from_deg, to_deg].map((at) => Math.round(at)));
+  compare(stretches(found), stretches(wanted), `${path}.unholdable`);
+  expect(found?.way?.status === wanted.way?.status, `${path}.way: ${found?.way?.status} instead of ${wanted.way?.status}`);
+  if (wanted.way) sameBounds(bounds(found?.way), bounds(wanted.way), `${path}.way`);
+}
+
 const valueOf = (hold) => (hold?.objective === 'grip' ? hold.grip : hold?.effort);
 const searches = { same: new Set(), other: new Set() };
 
@@ -84,9 +108,10 @@ for (const file of names) {
   const grasp = read(file);
   const objectives = answer({ command: 'objectives', grasp });
   expect(objectives.objective === (grasp.objective ?? 'grip') && objectives.grip_unit === 'N', `${name}: its objectives`);
-  const cases = ['hold', 'best', ...(grasp.dimension === 2 ? ['curve'] : [])].flatMap((command) => ['grip', 'effort'].map((objective) => [command, objective]));
+  const cases = ['hold', 'best', 'turn', ...(grasp.dimension === 2 ? ['curve'] : [])].flatMap((command) => ['grip', 'effort'].map((objective) => [command, objective]));
   for (const [command, objective] of [['check'], ...cases]) {
-    const found = answer({ command, grasp, ...(objective && { objective }) });
+    const to = command === 'turn' && (grasp.dimension === 2 ? { angle_deg: 90 } : { up: [1, 2, 2] });
+    const found = answer({ command, grasp, ...(objective && { objective }), ...to });
     const what = [name, command, objective].filter(Boolean).join('.');
     compare(found, read(`${what}.json`), what);
     // What it proves holds, as the program finds that shares nothing with the solver.
@@ -149,7 +174,9 @@ const spatial = names.find((file) => read(file).dimension === 3);
 const grasp = read(planar);
 const error = (request) => answer(request).error ?? {};
 expect(error({ command: 'hold' }).path === 'grasp', 'a request without a grasp');
-expect(error({ command: 'turn', grasp }).path === 'command', 'an unknown command');
+expect(error({ command: 'tilt', grasp }).path === 'command', 'an unknown command');
+expect(error({ command: 'turn', grasp }).path === 'angle_deg', 'a turn to nowhere');
+expect(error({ command: 'turn', grasp: read(spatial) }).path === 'up', 'a turn to nowhere in space');
 expect(error({ command: 'hold', grasp, angel_deg: 3 }).path === 'angel_deg', 'an unknown key');
 expect(error({ command: 'hold', grasp, objective: 'force' }).path === 'objective', 'an unknown objective');
 expect(error({ command: 'hold', grasp, force_cap: -1 }).path === 'force_cap', 'a bad force cap');
@@ -170,6 +197,13 @@ const facing = {
 };
 compare(answer({ command: 'hold', grasp: facing, angle_deg: 0 }).grip, 10 / (2 * 0.4), 'two fingers');
 expect(answer({ command: 'hold', grasp: { ...facing, objective: 'effort' }, angle_deg: 0 }).objective === 'effort', 'the objective of the file');
+
+// The turn is left out where it is not asked for.
+for (const each of [grasp, read(spatial)]) {
+  const [without, all] = [false, true].map((with_turn) => answer({ command: 'best', grasp: each, with_turn }));
+  expect(without.turn === null && without.without_pressing_harder === null && all.turn !== null, 'the best without the turn');
+  compare(without.best, all.best, 'the best with the turn');
+}
 
 // Of a finger that closes to nowhere no grip is known: the effort, and the answer says so.
 const around = structuredClone(facing);

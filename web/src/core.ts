@@ -145,6 +145,43 @@ export interface Margins {
   slopes?: number[];
 }
 
+/** What a turn takes [N², or as the grip]; null where a posture of it cannot be held. */
+export interface Peak<P> {
+  /** Counter-clockwise positive, as all angles of it. */
+  turn_deg: number;
+  peak: number | null;
+  peak_at: (Hold<P> & { turn_deg: number }) | null;
+  unholdable: { from_deg: number; to_deg: number; posture: Hold<P> & { turn_deg: number } }[];
+}
+
+interface AnyTurn<P, Turn> {
+  now: Hold<P>;
+  then: Hold<P>;
+  turn: Turn;
+}
+
+export type PlanarTurn = AnyTurn<Point, Peak<Point> & { other_way: Peak<Point> | null }>;
+
+export interface Quaternion {
+  w: number;
+  x: number;
+  y: number;
+  z: number;
+}
+
+/** From the grasp file's posture, or upright. */
+export interface SpatialTurn extends AnyTurn<Vec, Peak<Vec> & { rotation: Quaternion; way: Way | null }> {
+  options: { orientation: Quaternion };
+}
+
+/** That of least peak, by smallest turns to each of some orientations. */
+interface Way {
+  status: 'optimal' | 'gap' | 'unholdable';
+  peak: number | null;
+  lower_bound: number | null;
+  orientations: Quaternion[];
+}
+
 /** What is least if nothing is asked for; without a unit there is no grip. */
 export interface Objectives {
   objective: Objective;
@@ -157,6 +194,7 @@ interface PlanarAnswers {
   check: Check;
   hold: Hold<Point>;
   best: Best;
+  turn: PlanarTurn;
   curve: Curve;
 }
 
@@ -166,6 +204,7 @@ interface SpatialAnswers {
   check: SpatialCheck;
   hold: Hold<Vec>;
   best: SpatialBest;
+  turn: SpatialTurn;
   values: { values: (number | null)[] };
   planes: { planes: Plane[] };
 }
@@ -192,13 +231,13 @@ const onField = ({ path, problem }: { path: string; problem: string }) => (path 
 export const ask = <Command extends keyof PlanarAnswers>(
   command: Command,
   grasp: PlanarGrasp,
-  options: { angle_deg?: number; domain?: Domain; objective?: Objective } = {},
+  options: { angle_deg?: number; domain?: Domain; objective?: Objective; with_turn?: boolean } = {},
 ): PlanarAnswers[Command] => answer({ command, grasp, ...options }, onField);
 
 export const askSpatial = <Command extends keyof SpatialAnswers>(
   command: Command,
   grasp: SpatialGrasp,
-  options: { up?: Vec; ups?: readonly Vec[]; cuts?: Cut[]; objective?: Objective } = {},
+  options: { up?: Vec; ups?: readonly Vec[]; cuts?: Cut[]; objective?: Objective; with_turn?: boolean } = {},
 ): SpatialAnswers[Command] => answer({ command, grasp, ...options }, onField);
 
 /** The grasp that a file spells, in YAML or JSON. */

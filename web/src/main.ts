@@ -9,13 +9,15 @@ import { gripText, type Measure } from './measure';
 import type { Triangles } from './mesh';
 import { drawMinima, drawSpatialMinima, html, PlanarControls, SpatialControls } from './panel';
 import { asPaper } from './paper';
+import { Player } from './player';
 import { Plot } from './plot';
 import { first, presets, type Preset } from './presets';
 import { Scene } from './scene';
 import { SpatialModel } from './space';
 import { SphereView } from './sphere';
 import { PlanarModel } from './state';
-import { degrees, fixed, newtons, plain } from './words';
+import { angle } from './turn';
+import { degrees, fixed, newtons, plain, wrapped } from './words';
 import { why, whyInSpace } from './why';
 
 const find = <Kind extends HTMLElement>(id: string) => document.getElementById(id) as Kind;
@@ -81,7 +83,7 @@ function tell(element: HTMLElement, words: string[], kind: 'p' | 'span'): void {
     element.replaceChildren(...words.flatMap((each, k) => [k ? between : '', html(kind, {}, each)]));
 }
 
-function drawWords(at: string, hold: AnyHold, { objective }: Measure, unit: GripUnit | null, reasons: string[], problem: string, warnings: string[]): void {
+function drawWords(plays: boolean, at: string, hold: AnyHold, { objective }: Measure, unit: GripUnit | null, reasons: string[], problem: string, warnings: string[]): void {
   // No line ends between a number and its unit.
   const needs = (held: Extract<AnyHold, { holdable: true }>) => {
     const grip = `grip ${gripText(held.grip, unit)}`;
@@ -92,6 +94,8 @@ function drawWords(at: string, hold: AnyHold, { objective }: Measure, unit: Grip
     ? [`At ${at} ${hold.manner}:`, ...needs(hold).map((each, k) => (k < 2 ? `${each},` : each))]
     : [`At ${at} it cannot be held`], 'span');
   find('verdict').classList.toggle('not-held', !hold.holdable);
+  // Nobody wants every posture of a turn read out.
+  find('verdict').setAttribute('aria-live', plays ? 'off' : 'polite');
   tell(find('why'), reasons.map((each) => each.replace(/(\d) (?=N|%)/g, '$1\u00a0')), 'p');
   const doubts = warnings.slice(0, 3).map((line) => line.replace(/^\S+: /, ''));
   if (warnings.length > 3) doubts.push(`And ${warnings.length - 3} more warnings.`);
@@ -131,12 +135,23 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
     bounds: find<HTMLInputElement>('bounds'),
   };
   private readonly pinched = find<HTMLInputElement>('pinched');
+  private readonly player: Player<number>;
 
   constructor(grasp: PlanarGrasp) {
     this.model = new PlanarModel(grasp);
     this.scene = new Scene(find('plane'), this.model);
     this.plot = new Plot(find('plot'), this.model);
     this.controls = new PlanarControls(find('controls'), this.model);
+    this.player = new Player(find('turn-plane'), {
+      now: () => this.model.angle,
+      start: () => this.model.from,
+      best: () => this.model.answers.best.best?.angle_deg,
+      looking: () => false,
+      apart: (a, b) => Math.abs(wrapped(a - b)),
+      show: (angle) => this.model.turnTo(angle),
+      ask: (to, then) => then(this.model.turning(to)),
+      draw: () => sheet === this && this.draw(),
+    });
     for (const key of ['squared', 'logarithmic', 'bounds'] as const)
       this.boxes[key].addEventListener('change', () => {
         this.plot.view[key] = this.boxes[key].checked;
@@ -155,6 +170,7 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
 
   load(grasp: PlanarGrasp): void {
     this.model.load(grasp);
+    this.player.forget();
     this.suit();
     this.controls.forget();
   }
@@ -196,10 +212,12 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
     find('other').textContent = objective === 'grip' ? 'least force norm √V' : 'least grip F';
     find('key-cradled').hidden = !answers.check.fork_deg;
     find('key-unholdable').hidden = !answers.best.unholdable_arcs.length;
+    this.player.draw(answers.grasp, answers.measure);
+    this.plot.turning = this.player.drawn;
     this.plot.draw();
     this.controls.draw();
     drawMinima(find('minima'), this.model);
-    drawWords(degrees(angle), answers.hold, answers.measure, answers.gripUnit, why(answers, this.rest.at(answers.hold), angle, this.model.optimum()), problem, answers.check.warnings);
+    drawWords(this.player.plays, degrees(angle), answers.hold, answers.measure, answers.gripUnit, why(answers, this.rest.at(answers.hold), angle, this.model.optimum()), problem, answers.check.warnings);
   }
 }
 
@@ -208,6 +226,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
   private readonly scene: BodyView;
   private readonly sphere: SphereView;
   private readonly controls: SpatialControls;
+  private readonly player: Player<Vec>;
   private readonly rest: Rest = new Rest(() => this.model.margins(), () => sheet === this && this.draw());
 
   constructor(grasp: SpatialGrasp, mesh?: Triangles) {
@@ -215,6 +234,16 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
     this.scene = new BodyView(find('space'), this.model);
     this.sphere = new SphereView(find('sphere'), this.model);
     this.controls = new SpatialControls(find('controls'), this.model);
+    this.player = new Player(find('turn-space'), {
+      now: () => this.model.up,
+      start: () => this.model.from,
+      best: () => (this.model.outdated ? undefined : this.model.found.best?.best?.up),
+      looking: () => this.model.outdated,
+      apart: (a, b) => (angle(a, b) * 180) / Math.PI,
+      show: (up) => this.model.show(up),
+      ask: (to, then) => this.model.askTurn(to, then),
+      draw: () => sheet === this && this.draw(),
+    });
     const certificate = find<HTMLInputElement>('certificate');
     certificate.addEventListener('change', () => {
       this.sphere.certificate = certificate.checked;
@@ -226,6 +255,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
 
   load(grasp: SpatialGrasp, mesh?: Triangles): void {
     this.model.load(grasp, mesh);
+    this.player.forget();
     this.controls.forget();
   }
 
@@ -256,6 +286,8 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
   draw(): void {
     const { answers, found, up, problem, outdated } = this.model;
     this.scene.draw();
+    this.player.draw(answers.grasp, answers.measure);
+    this.sphere.turning = this.player.drawn;
     this.sphere.draw();
     this.controls.draw();
     drawObjective(answers.measure, answers.gripUnit);
@@ -264,7 +296,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
     find('proof').textContent = this.sphere.said();
     drawSpatialMinima(find('minima'), this.model);
     const at = `up (${up.map((part) => fixed(part, 3)).join(', ')})`;
-    drawWords(at, answers.hold, answers.measure, answers.gripUnit, whyInSpace(this.model, this.rest.at(answers.hold)), problem, this.model.warnings);
+    drawWords(this.player.plays, at, answers.hold, answers.measure, answers.gripUnit, whyInSpace(this.model, this.rest.at(answers.hold)), problem, this.model.warnings);
     document.body.dataset.settled = outdated || this.model.turning ? '' : '1';
   }
 }
@@ -286,7 +318,7 @@ function show({ grasp, mesh }: Shown): void {
     else space = new SpaceSheet(grasp, mesh);
     sheet = space;
   }
-  for (const [id, dimension] of [['plane', 2], ['plot', 2], ['space', 3], ['sphere', 3]] as const)
+  for (const [id, dimension] of [['plane', 2], ['plot', 2], ['turn-plane', 2], ['space', 3], ['sphere', 3], ['turn-space', 3]] as const)
     find(id).hidden = grasp.dimension !== dimension;
   sheet.draw();
 }
@@ -401,6 +433,8 @@ async function save(as: string): Promise<void> {
   say(`The address of this page now holds the grasp${copied ? ', and is copied' : ''}.`);
 }
 
+// What plays is to be seen.
+find('turn').addEventListener('play', () => find('scene').scrollIntoView({ block: 'nearest' }));
 select.addEventListener('change', () => show(chosen()));
 find('reset').addEventListener('click', () => show(chosen()));
 find('open').addEventListener('click', () => find('file').click());

@@ -1,5 +1,6 @@
 // The posture curve: drawn from its arcs, with the present posture as a handle.
 import type { Curve, Kind, Optimum, Range } from './core';
+import type { Turning } from './course';
 import { contains, heightOn, onAxis, samples } from './curve';
 import type { Point } from './grasp';
 import type { Measure } from './measure';
@@ -25,6 +26,8 @@ const margin = { left: 58, right: 16, top: 14, bottom: 38 };
 
 export class Plot {
   readonly view: View = { squared: false, logarithmic: false, bounds: false };
+  /** From the grasp file's posture. */
+  turning: Turning<number> | undefined;
   readonly picture = node('svg', { role: 'group', 'aria-label': 'What the fingers need, over all postures' });
   private readonly layers = node('g', { class: 'passive' });
   private readonly area = node('rect', { class: 'area' });
@@ -40,12 +43,7 @@ export class Plot {
       node(
         'defs',
         {},
-        node(
-          'pattern',
-          { id: 'hatch', width: 6, height: 6, patternUnits: 'userSpaceOnUse', patternTransform: 'rotate(45)' },
-          node('rect', { width: 6, height: 6, class: 'hatch-ground' }),
-          node('line', { x1: 0, y1: 0, x2: 0, y2: 6, class: 'hatch-line' }),
-        ),
+        hatch('hatch'),
         node('clipPath', { id: 'inside' }, node('rect')),
       ),
       this.area,
@@ -126,7 +124,7 @@ export class Plot {
         }),
       );
     inside.append(...drawn(this.other(), 'other'), ...drawn(this.model.answers.curve, 'curve'));
-    inside.append(...bounds.names, this.now(this.drawOptima(y.at)));
+    inside.append(...this.turns(y.at), ...bounds.names, this.now(this.drawOptima(y.at)));
     this.layers.replaceChildren(inside, ...this.axes(y.ticks, y.at));
     this.drawHandle(y.at);
   }
@@ -171,6 +169,18 @@ export class Plot {
       ...(check.fork_deg ? shade(check.fork_deg, 'cradled') : []),
       ...best.unholdable_arcs.flatMap((arc) => shade([arc.from_deg, arc.to_deg], 'unholdable')),
     ];
+  }
+
+  /** Above the axis the postures that are passed, and where the most is needed. */
+  private turns(at: (value: number) => number): Node[] {
+    if (!this.turning) return [];
+    const { from, courses } = this.turning;
+    const y = (k: number) => margin.top + this.height() - 5 - 6 * k;
+    const passed = courses.flatMap(({ by, kind }, k) =>
+      onAxis([Math.min(from, from + by), Math.max(from, from + by)]).map(([low, high]) => line([this.x(low), y(k)], [this.x(high), y(k)], `course ${kind}`)));
+    const peaks = courses.flatMap(({ peak, kind, at: posture }) =>
+      peak ? [node('path', { d: peakMark([this.x(posture(peak[0])), at(this.scaled(peak[1])) - 7]), class: `peak ${kind}` })] : []);
+    return [...passed, ...peaks, node('circle', { cx: this.x(from), cy: y(0), r: 4, class: 'start' })];
   }
 
   private horizontalTicks(): number[] {
@@ -301,19 +311,30 @@ const sentence = (each: Optimum, measure: Measure) =>
   `${each.type === 'min' ? 'minimum' : 'maximum'} at ${degrees(each.angle_deg)}, ${each.kind}, ${each.manner}: ` +
   `${measure.name} ${measure.text(measure.of(each))}${measure.objective === 'effort' ? `, effort V ${plain(each.effort)} N²` : ''}`;
 
+export const hatch = (id: string) =>
+  node(
+    'pattern',
+    { id, width: 6, height: 6, patternUnits: 'userSpaceOnUse', patternTransform: 'rotate(45)' },
+    node('rect', { width: 6, height: 6, class: 'hatch-ground' }),
+    node('line', { x1: 0, y1: 0, x2: 0, y2: 6, class: 'hatch-line' }),
+  );
+
+/** It points down to the peak of a turn. */
+export const peakMark = ([x, y]: Point) => `M${x} ${y}l-5 -8h10Z`;
+
 export function symbol(kind: Kind, [x, y]: Point): string {
   if (kind === 'kink') return `M${x} ${y - 6.5}l6.5 6.5l-6.5 6.5l-6.5 -6.5Z`;
   if (kind === 'boundary') return `M${x - 5} ${y - 5}h10v10h-10Z`;
   return `M${x - 5.5} ${y}a5.5 5.5 0 1 0 11 0a5.5 5.5 0 1 0 -11 0Z`;
 }
 
-const short = (value: number) => {
+export const short = (value: number) => {
   const size = Math.abs(value);
   if (size >= 1e5) return value.toExponential().replace('e+', 'e').replace(/^1e/, '1e');
   return `${Number(value.toPrecision(6))}`;
 };
 
-function steps(top: number, wanted: number): number[] {
+export function steps(top: number, wanted: number): number[] {
   const rough = top / Math.max(wanted, 2);
   const unit = 10 ** Math.floor(Math.log10(rough));
   const step = unit * (rough / unit <= 2 ? 2 : rough / unit <= 5 ? 5 : 10);

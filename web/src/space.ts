@@ -1,6 +1,7 @@
 // What is shown of a grasp in space: as state.ts in the plane. The certified best posture and the
 // sphere come from a worker, later than the rest.
 import { askSpatial, BadGrasp, type GripUnit, type Held, type Hold, type Margins, type Plane, type SpatialBest, type SpatialCheck } from './core';
+import { spatialTurning, type Turning } from './course';
 import { scenariosOf, type Objective, type SpatialGrasp, type Vec } from './grasp';
 import { measure, type Measure } from './measure';
 import { bodyOf, bodyOfMesh, type Body, type Triangles } from './mesh';
@@ -8,7 +9,7 @@ import type { Ring } from './ring';
 import { about, add, after, angle, ballOf, frame, times, towards, turned, turnedBack, unit, type Ball, type Turn } from './turn';
 import { radians } from './vector';
 import Worker from './worker?worker&inline';
-import type { Coloured, Part, Task } from './worker';
+import type { Coloured, Part, Task, TurnAnswer, TurnTask } from './worker';
 
 export interface SpatialAnswers {
   grasp: SpatialGrasp;
@@ -46,6 +47,8 @@ export class SpatialModel {
   private pending = false;
   private moving = 0;
   private task = 0;
+  private turns = 0;
+  private told: ((turning: Turning<Vec> | undefined) => void) | undefined;
   private bodyIsOf: unknown;
   private readonly worker: InstanceType<typeof Worker>;
   private readonly listeners: (() => void)[] = [];
@@ -53,7 +56,7 @@ export class SpatialModel {
   constructor(wasm: ArrayBuffer, grasp: SpatialGrasp, private mesh?: Triangles) {
     this.worker = new Worker();
     this.worker.postMessage(wasm);
-    this.worker.onmessage = ({ data }: MessageEvent<Part>) => this.receive(data);
+    this.worker.onmessage = ({ data }: MessageEvent<Part | TurnAnswer>) => ('turn' in data ? this.receiveTurn(data) : this.receive(data));
     this.grasp = structuredClone(grasp);
     this.orientation = hung(grasp);
     this.answers = this.ask();
@@ -142,6 +145,22 @@ export class SpatialModel {
     step();
   }
 
+  /** At once, by the smallest turn. */
+  show(posture: Vec): void {
+    this.orient(after(towards(turned(this.orientation, posture), up), this.orientation));
+  }
+
+  /** The file's posture, or upright. */
+  get from(): Vec {
+    return unit(this.answers.grasp.up ?? up);
+  }
+
+  /** What the turn to a posture takes, from the worker; of many questions the last is answered. */
+  askTurn(to: Vec, then: (turning: Turning<Vec> | undefined) => void): void {
+    this.told = then;
+    this.worker.postMessage({ turn: ++this.turns, grasp: this.answers.grasp, to } satisfies TurnTask);
+  }
+
   edit(change: (grasp: SpatialGrasp) => void): void {
     change(this.grasp);
     this.changed(true);
@@ -226,6 +245,10 @@ export class SpatialModel {
   private order(): void {
     this.outdated = true;
     this.worker.postMessage({ id: ++this.task, grasp: this.answers.grasp } satisfies Task);
+  }
+
+  private receiveTurn({ turn, taken, tracks, values }: TurnAnswer): void {
+    if (turn === this.turns) this.told?.(taken && spatialTurning(taken, tracks!, values!, this.answers.measure));
   }
 
   private receive(part: Part): void {

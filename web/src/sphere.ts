@@ -1,12 +1,14 @@
 // The sphere of postures, fixed to the object: the point on top is the direction that points up.
 import { turnable, view } from './body';
+import type { Course, Turning } from './course';
 import type { Picture } from './files';
 import { Canvas, colour, seen, type Colour, type Eye, type Loaded } from './gl';
 import type { Point, Vec } from './grasp';
 import { icosahedron, polytope, refined, split, type Triangles } from './mesh';
 import { rounds } from './scale';
 import type { SpatialModel } from './space';
-import { line, node, place, set, text } from './svg';
+import { peakMark } from './plot';
+import { line, node, path, place, set, text } from './svg';
 import { add, cross, dot, length, minus, times, turned, turnedBack, unit } from './turn';
 import { radians } from './vector';
 import { plain } from './words';
@@ -28,6 +30,8 @@ const bar = { left: 16, right: 16, height: 12 };
 
 export class SphereView {
   certificate = false;
+  /** From the grasp file's posture. */
+  turning: Turning<Vec> | undefined;
   private readonly canvas: Canvas;
   private readonly picture: SVGSVGElement;
   private readonly legend = node('svg', { class: 'legend', role: 'img' });
@@ -287,6 +291,14 @@ export class SphereView {
       return [centre[0] + x, centre[1] - y, z];
     };
     const marks: Node[] = [node('circle', { cx: centre[0], cy: centre[1], r: this.eye.scale, class: 'limb' })];
+    marks.push(...[...(this.turning?.courses ?? [])].reverse().flatMap((course) => this.courseOn(course, at)));
+    const top = at([0, 0, 1]);
+    if (this.turning) {
+      const [x, y, z] = at(turned(this.model.orientation, this.turning.from));
+      if (z > 0) marks.push(node('circle', { cx: x, cy: y, r: 4, class: 'start' }));
+      // Up there other words are.
+      if (z > 0 && Math.hypot(x - top[0], y - top[1]) > 40) marks.push(text('start', [x, y + 18], 'optimum-label'));
+    }
     const { measure } = this.model.answers;
     const minima = best ? [...best.minima] : [];
     for (const each of minima) {
@@ -300,7 +312,6 @@ export class SphereView {
       if (name) mark.append(text(name, [x, y + 20], 'optimum-label'));
       marks.push(mark);
     }
-    const top = at([0, 0, 1]);
     const pin = at([0, 0, 1.13]);
     marks.push(
       line([top[0], top[1]], [pin[0], pin[1]], 'pin'),
@@ -308,6 +319,25 @@ export class SphereView {
       text('up', [pin[0] + 13, pin[1] + 5], 'label'),
     );
     this.marks.replaceChildren(...marks);
+  }
+
+  /** The line of the directions that point up on the turn: faint behind the sphere. */
+  private courseOn({ kind, name, size, peak, at: posture }: Course<Vec>, at: (p: Vec) => Vec): Node[] {
+    const points = Array.from({ length: 97 }, (_, k) => at(turned(this.model.orientation, posture((size * k) / 96))));
+    const pieces: { behind: boolean; points: Point[] }[] = [];
+    for (const [k, [x, y, z]] of points.entries()) {
+      const behind = z < 0;
+      const last = pieces.at(-1);
+      if (last?.behind !== behind) pieces.push({ behind, points: k ? [[points[k - 1]![0], points[k - 1]![1]]] : [] });
+      pieces.at(-1)!.points.push([x, y]);
+    }
+    const lines = pieces.flatMap(({ behind, points: own }) => [
+      ...(behind ? [] : [node('path', { d: path(own), class: 'halo passive' })]),
+      node('path', { d: path(own), class: `course ${kind}${behind ? ' behind' : ''} passive` }),
+    ]);
+    const [x, y, z] = peak ? at(turned(this.model.orientation, posture(peak[0]))) : [0, 0, -1];
+    if (peak === undefined || z < 0) return lines;
+    return [...lines, node('path', { d: peakMark([x, y]), class: `peak ${kind}` }, node('title', {}, `the most on ${name}: ${this.model.answers.measure.text(peak[1])}`))];
   }
 
   private drawLegend(range: { low: number; high: number } | undefined): void {

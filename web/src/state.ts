@@ -1,5 +1,6 @@
 // What is shown: a grasp, a posture, and the answers to them.
 import { ask, BadGrasp, type Best, type Check, type Curve, type GripUnit, type Hold, type Margins, type Optimum } from './core';
+import { planarTurning, type Turning } from './course';
 import type { Domain, Objective, PlanarGrasp, Point } from './grasp';
 import { measure, type Measure } from './measure';
 import { outline } from './shape';
@@ -83,6 +84,23 @@ export class PlanarModel {
     return ask('margins', this.answers.grasp, { angle_deg: this.angle });
   }
 
+  /** From the file's posture, or upright. */
+  get from(): number {
+    return wrapped(this.answers.grasp.angle_deg ?? 0);
+  }
+
+  /** What the turn to a posture takes. */
+  turning(to: number): Turning<number> | undefined {
+    const { grasp, measure, curve } = this.answers;
+    try {
+      const taken = ask('turn', grasp, { angle_deg: to, domain: this.domain });
+      return planarTurning(taken, this.domain === 'all' ? curve : ask('curve', grasp, { domain: 'all' }), measure, this.from, to);
+    } catch (error) {
+      if (error instanceof BadGrasp) return undefined;
+      throw error;
+    }
+  }
+
   holdAt(angle: number, objective: Objective): Hold<Point> {
     return ask('hold', this.answers.grasp, { angle_deg: angle, objective });
   }
@@ -131,7 +149,7 @@ export class PlanarModel {
       gripUnit: grip_unit,
       measure: measure(objective, grip_unit),
       other: grip_unit === 'N' ? this.curveOf(other, grasp) : undefined,
-      best: ask('best', grasp, { domain }),
+      best: ask('best', grasp, { domain, with_turn: false }),
       curve: ask('curve', grasp, { domain }),
       hold: ask('hold', grasp, { angle_deg: this.angle }),
     };

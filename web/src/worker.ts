@@ -1,5 +1,6 @@
 // What takes longer than a frame: the certified best posture in space, and the values all around.
-import { askSpatial, BadGrasp, start, type Plane, type SpatialBest } from './core';
+import { askSpatial, BadGrasp, start, type Plane, type SpatialBest, type SpatialTurn } from './core';
+import { tracksOf, type Track } from './course';
 import type { SpatialGrasp, Vec } from './grasp';
 import { icosahedron, refined, split } from './mesh';
 import { circle, flat, type Ring } from './ring';
@@ -7,6 +8,21 @@ import { circle, flat, type Ring } from './ring';
 export interface Task {
   id: number;
   grasp: SpatialGrasp;
+}
+
+/** What the turn to a posture takes. */
+export interface TurnTask {
+  turn: number;
+  grasp: SpatialGrasp;
+  to: Vec;
+}
+
+/** Nothing else where that cannot be told. */
+export interface TurnAnswer {
+  turn: number;
+  taken?: SpatialTurn;
+  tracks?: Track[];
+  values?: (number | null)[][];
 }
 
 /** Parts of the answer to a task, as they come. */
@@ -28,11 +44,19 @@ const levels = [3, 5];
 const finer = 2;
 
 let latest = -1;
+let latestTurn = -1;
 let ready: Promise<void>;
 
-self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task>) => {
+self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task | TurnTask>) => {
   if (data instanceof ArrayBuffer) {
     ready = start(data);
+    return;
+  }
+  if ('turn' in data) {
+    latestTurn = data.turn;
+    await ready;
+    await new Promise((done) => setTimeout(done));
+    if (data.turn === latestTurn) postMessage(turnOf(data));
     return;
   }
   latest = data.id;
@@ -48,6 +72,17 @@ self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task>) => {
   postMessage({ id: data.id, done: true });
 };
 
+function turnOf({ turn, grasp, to }: TurnTask): TurnAnswer {
+  try {
+    const taken = askSpatial('turn', grasp, { up: to });
+    const tracks = tracksOf(taken);
+    return { turn, taken, tracks, values: tracks.map(({ ups }) => askSpatial('values', grasp, { ups }).values) };
+  } catch (error) {
+    if (!(error instanceof BadGrasp)) throw error;
+    return { turn };
+  }
+}
+
 /** Nothing in between: there another task may come. */
 function* valuesAt(grasp: SpatialGrasp, ups: Vec[]): Generator<undefined, (number | null)[]> {
   const all: (number | null)[] = [];
@@ -62,7 +97,7 @@ function* parts({ grasp }: Task) {
   try {
     const values = (ups: Vec[]) => valuesAt(grasp, ups);
     yield { level: levels[0]!, values: yield* values(refined(icosahedron, levels[0]!).points) };
-    const best = askSpatial('best', grasp);
+    const best = askSpatial('best', grasp, { with_turn: false });
     const { planes } = askSpatial('planes', grasp, { cuts: best.cuts });
     const normal = best.lower_bound === null ? undefined : flat(planes, best.lower_bound);
     const ups = normal && circle(normal);

@@ -67,6 +67,34 @@ export async function drag(page, selector, dx, dy) {
 /** In space: everything there is to know has come from the worker. */
 export const settled = (page) => page.waitForSelector('body[data-settled="1"]');
 
+/** What the turn takes has been told. */
+export const turnTold = (page) => page.waitForFunction(() => [...document.querySelectorAll('#turn > div:not([hidden])')].every((each) => each.ariaBusy === 'false'));
+/** Its heading, its words, its buttons. */
+export const turnSaid = (page) => page.evaluate(() => {
+  const turn = document.querySelector('#turn > div:not([hidden])');
+  return { head: turn.querySelector('h2').textContent, words: turn.querySelector('p').textContent, buttons: [...turn.querySelectorAll('button:not([hidden])')].map((each) => each.ariaLabel) };
+});
+
+/** The verdict, as soon as it begins so: that may soon be over. */
+export const verdictAt = async (page, words) => (await page.waitForFunction((begin) => {
+  const text = document.querySelector('#verdict').textContent;
+  return text.startsWith(begin) && text;
+}, words)).jsonValue();
+
+/** Plays a course and stops it after an angle, within the page, as no other clock can be relied on. Gives what the button says before. */
+export const playAndStop = (page, course, after) => page.evaluate(([name, angle]) => new Promise((done) => {
+  const turn = document.querySelector('#turn > div:not([hidden])');
+  const button = turn.querySelector(`button[aria-label="Play ${name}"]`);
+  button.click();
+  const look = () => {
+    if (!(turn.querySelector('.posture').ariaValueNow > angle)) return requestAnimationFrame(look);
+    const label = button.ariaLabel;
+    button.click();
+    done(label);
+  };
+  requestAnimationFrame(look);
+}), [course, after]);
+
 export async function finish() {
   await browser.close();
   console.log(failures ? `${failures} failures` : `The page is as it should be; pictures in ${out}`);

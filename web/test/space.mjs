@@ -1,7 +1,7 @@
 // The page in space, and its files: node test/space.mjs
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { browser, drag, expect, finish, frame, minimise, near, objective, open, out, patience, root, settled, verdict } from './browser.mjs';
+import { browser, drag, expect, finish, frame, minimise, near, objective, open, out, patience, playAndStop, root, settled, turnSaid, turnTold, verdict, verdictAt } from './browser.mjs';
 
 const built = `${root}web/dist/playground.html`;
 const poise = (...parameters) => spawnSync(`${root}build/poise`, parameters, { encoding: 'utf8', cwd: `${out}files` });
@@ -133,6 +133,59 @@ await page.screenshot({ path: `${out}proof.png` });
 await page.uncheck('#certificate');
 await page.click('#reset');
 await settled(page);
+
+// The turn: straight, and the way of least peak, with the numbers of the program.
+await shows('box between two soft jaws');
+await minimise(page, 'grip');
+await settled(page);
+await turnTold(page);
+expect((await turnSaid(page)).head.startsWith('The turn to the best posture: '), 'the turn to the best', await turnSaid(page));
+const soft = JSON.parse(readFileSync(`${root}build/fixtures/box-soft-jaws.turn.grip.json`, 'utf8'));
+const { turn, then } = soft;
+// To a posture as a result tells it, which is exact.
+const lookAt = async (hold) => {
+  writeFileSync(`${out}files/posture.json`, JSON.stringify({ poise_result: 1, options: { objective: 'grip' }, ...hold }));
+  await page.evaluate(() => delete document.body.dataset.opening);
+  await page.setInputFiles('#file', `${out}files/posture.json`);
+  await page.waitForSelector('body[data-opening=""]');
+  await settled(page);
+  await frame(page);
+  await turnTold(page);
+  await frame(page);
+};
+await lookAt(then);
+const said = await turnSaid(page);
+expect(said.head === `The turn to this posture: ${turn.turn_deg.toFixed(2)}°`, 'the turn', said);
+const told = [...said.words.matchAll(/a grip of ([\d.]+) N/g)].map(([, value]) => +value);
+// What encloses the same differs by no more than was asked for.
+[turn.peak, turn.way.peak, turn.way.lower_bound].forEach((value, k) => expect(near(told[k], value, 2e-3), 'the peaks', said.words, value));
+expect(/^On this turn it needs up to a grip of .* A way of 2 steps needs only a grip of .*; no way needs less than a grip of /.test(said.words), 'in words', said.words);
+expect(said.buttons.join() === 'Play the straight turn,Play the way of 2 steps', 'both can be played', said.buttons);
+expect((await page.locator('#sphere path.course.straight').count()) > 0 && (await page.locator('#sphere path.course.detour').count()) > 0, 'both are on the sphere');
+await page.screenshot({ path: `${out}turn-space.png` });
+// Played, the way ends where it leads; at rest its peak needs what it is told to need.
+const at = `up (${then.up.map((part) => fixed(part, 3)).join(', ')})`;
+const ended = () => verdictAt(page, `At ${at}`);
+const sizes = (await page.$$eval('#turn-space button', (all) => all.map((each) => each.textContent.match(/([\d.]+)°/)[1])));
+for (const [k, course] of [[1, 'the way of 2 steps'], [0, 'the straight turn']]) {
+  expect((await playAndStop(page, course, 5)) === `Stop ${course}`, 'while it plays the button stops it');
+  await frame(page);
+  expect(!(await verdict(page)).startsWith(`At ${at}`), 'on the way', await verdict(page));
+  const needed = [await page.getAttribute('#turn-space .posture', 'aria-valuetext'), await verdict(page)].map((words) => +words.match(/grip ([\d.]+)/)[1]);
+  expect(near(needed[0], needed[1], 5e-3), 'the knob tells what is needed', needed);
+  await page.getByLabel(`Play ${course}`).click();
+  await ended();
+  await frame(page);
+  expect((await page.getAttribute('#turn-space .posture', 'aria-valuetext')).startsWith(`${sizes[k]}° of `), 'it ends', k);
+}
+expect((await turnSaid(page)).words === said.words, 'the turn stays', await turnSaid(page));
+await page.emulateMedia({ reducedMotion: 'reduce' });
+await page.getByLabel('Play the straight turn').click();
+const [, after] = said.words.match(/after ([\d.]+)°/);
+const atPeak = await (await page.waitForFunction((way) => document.querySelector('#turn-space .posture').ariaValueNow === way && document.querySelector('#verdict').textContent, after)).jsonValue();
+expect(near(+atPeak.match(/grip ([\d.]+)/)[1], told[0], 2e-3), 'the peak at rest', atPeak, said.words);
+await ended();
+await page.emulateMedia({ reducedMotion: null });
 
 // What cannot be held, and why.
 await shows('box between two hard jaws');
