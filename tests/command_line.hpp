@@ -32,6 +32,7 @@ class CommandLine : public testing::Test {
  protected:
   CommandLine()
       : folder_(fs::path(testing::TempDir()) / ("poise_cli_" + std::to_string(getpid()))) {
+    fs::remove_all(folder_);  // of one that was killed
     fs::create_directories(folder_);
   }
   ~CommandLine() override { fs::remove_all(folder_); }

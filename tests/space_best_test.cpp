@@ -320,7 +320,7 @@ void expect_best_of_the_plane(const Grasp<3>& grasp, Objective objective) {
   ASSERT_TRUE(best.holdable());
   EXPECT_EQ(best.status, Status::optimal);
   EXPECT_LE(best.best().value(), least * (1 + 2e-6));
-  EXPECT_GE(best.best().value(), least * (1 - 1e-4));  // between two samples
+  EXPECT_GE(best.best().value(), least * (1 - 3e-3));  // between two samples
 }
 
 TEST(SpaceBest, OfTwoHardJawsThatAreNotParallelEndsCertified) {

@@ -17,6 +17,8 @@ namespace {
 
 /// Longer steps [rad] are between opposite postures.
 constexpr double longest_step = pi - 1e-6;
+/// Smaller angles [rad] are no turn.
+constexpr double no_turn = 1e-12;
 
 }  // namespace
 
@@ -102,7 +104,7 @@ class WaySearch {
     const int parts = arc.angle < longest_step ? 1 : 1 + static_cast<int>(arc.angle / (0.7 * pi));
     std::vector<Vector<3>> ups{from_.x};
     for (int k = 1; k < parts; ++k) ups.push_back(arc.at(arc.angle * k / parts));
-    ups.push_back(to_.x);
+    if (arc.angle > no_turn) ups.push_back(to_.x);
     take(std::move(ups), most);
   }
 

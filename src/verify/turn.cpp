@@ -75,7 +75,8 @@ struct Turning {
     const bool told = claim.peak && claim.lower_bound && claim.peak_at;
     verdict.check(place / "peak",
                   "a turn has a peak with its place, or postures that cannot be held",
-                  told == claim.unholdable.empty() && told == claim.peak.has_value());
+                  told == claim.unholdable.empty() && told == claim.peak.has_value() &&
+                      told == claim.lower_bound.has_value() && told == claim.peak_at.has_value());
     for (std::size_t k = 0; k < claim.unholdable.size(); ++k)
       check_stretch((place / "unholdable")[k], claim.unholdable[k], whole, up_at);
     if (!claim.unholdable.empty())
