@@ -34,7 +34,8 @@ function compare(found, wanted, path, exact = 1e-9) {
     for (const key of Object.keys(wanted)) {
       // At a kink many y are optimal, and so are many cuts of a corner; which ones are found is
       // rounding. What they prove is compared: all cuts together to the gap that was asked for.
-      if (key === 'dual' && (wanted.kind === 'kink' || exact > 1e-9)) continue;
+      // Of what cannot be held any motion that nothing resists is a proof.
+      if (key === 'dual' && (wanted.kind === 'kink' || wanted.holdable === false || exact > 1e-9)) continue;
       // So are the proofs of a grip that several drives or contacts decide.
       if (key === 'cuts' || key === 'holds' || key === 'y' || key === 'rates') continue;
       if ((key === 'lower_bound' || key === 'relative_gap') && wanted.cuts && !sameSearch(found, wanted)) continue;
