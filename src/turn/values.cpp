@@ -41,7 +41,16 @@ Valued Values::at(const Vector<3>& x) {
       is_on ? Vector<3>(search::OnPlanes(x, thin).load().normalized() * x.norm()) : x;
   const search::Aim aim{nullptr, infinity, infinity, oracle_.most, search::Digits::all};
   search::Answer answer = oracle_.evaluate(asked, aim);
-  return {asked, std::sqrt(answer.value), std::move(answer.half_space)};
+  Valued valued{asked, std::sqrt(answer.value), std::move(answer.half_space)};
+  // Where neither forces nor a proof that there are none were found a closer look may tell.
+  if (!valued.holdable() && least_between(valued.half_space, asked, asked) < infinity &&
+      std::abs(asked.squaredNorm() - 1) < 1e-9) {
+    const Posture<3> closer = posture(asked);
+    const bool is_grip = settings_.objective == Objective::grip;
+    if (closer.holdable())
+      valued.p = (is_grip ? closer.value() : std::sqrt(closer.value())) / oracle_.unit;
+  }
+  return valued;
 }
 
 Valued Values::in_domain(const Vector<3>& up) {
