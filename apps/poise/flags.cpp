@@ -161,7 +161,7 @@ void Flags::search(Question& question) {
                           [](double gap) { return gap > 0 && gap < 1; });
         });
   value("--max-holds", "N",
-        "Space: holds to spend on the proof (" + std::string(is_turn ? "20000" : "2000") + ")",
+        "Space: holds to spend on the proof (" + std::string(is_turn ? "5000" : "2000") + ")",
         [&](const auto& text) {
           question.max_holds = static_cast<int>(
               read_number("--max-holds", text, "a number of holds, must be from 1 to 1000000",

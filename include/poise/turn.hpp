@@ -66,7 +66,7 @@ std::vector<TurnPeak<2>> ways_round(const Grasp<2>& grasp, double from, double t
 struct TurnSettings {
   Objective objective{Objective::effort};  ///< of which the peak is
   double gap{1e-3};                        ///< wanted: (peak - lower_bound) / peak, > 0 and < 1
-  int max_holds{20000};                    ///< holds to spend, >= 1
+  int max_holds{5000};                     ///< holds to spend, >= 1
   double force_cap{1e6};                   ///< in weights of the heaviest load
   std::optional<Tilt> tilt{};              ///< where ways stay, if they start and end there
 };

@@ -9,6 +9,9 @@ namespace {
 
 /// Nearer to the planes that motions without resistance leave is on them.
 constexpr double on_thin = 1e-6;
+/// The greatest force cap that there is [weights]. What is least in grip may need a force norm
+/// above the cap: there the grip is what the cap limits.
+constexpr double no_cap = 1e9;
 
 }  // namespace
 
@@ -106,7 +109,8 @@ double Values::gap_of_p(double gap) const {
 }
 
 Posture<3> Values::posture(const Vector<3>& up) const {
-  return posture_at(grasp_, up, {settings_.force_cap, settings_.objective});
+  const bool is_grip = settings_.objective == Objective::grip;
+  return posture_at(grasp_, up, {is_grip ? no_cap : settings_.force_cap, settings_.objective});
 }
 
 void check_unit(const char* name, const Vector<3>& up) {

@@ -39,7 +39,10 @@ struct Turning {
   /// are checked like a claim.
   HoldClaim<Dim> witness(const Path& place, const Vec& up) const {
     HoldAnswer<Dim> answer;
-    answer.settings = {options.force_cap, options.objective.value_or(Objective::effort)};
+    const Objective objective = options.objective.value_or(Objective::effort);
+    // Of turns the cap limits the grip, where that is least, and the force norm where that is.
+    const double cap = objective == Objective::grip ? 1e9 : options.force_cap;
+    answer.settings = {cap, objective};
     const Vector<Dim> rounded = up.template cast<double>().normalized();
     try {
       answer.posture = posture_at(given, rounded, answer.settings);
@@ -50,7 +53,7 @@ struct Turning {
     const HoldClaim<Dim> claim = claims_of(given, answer);
     if (claim.holdable) {
       Verdict own;
-      check_hold<Dim>(own, place, grasp, claim, options.force_cap);
+      check_hold<Dim>(own, place, grasp, claim, cap);
       verdict.check(place, "forces found for it are right", own.confirmed());
     }
     return claim;
