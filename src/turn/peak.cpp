@@ -139,7 +139,7 @@ TurnPeak<3> peak_along(const Grasp<3>& grasp, const turns::Arc& arc, const TurnS
                      found.at,  values.posture(found.posture.x), {}};
   for (const auto& stretch : found.unholdable)
     result.unholdable.push_back(
-        {stretch.from, stretch.to, stretch.at, values.posture(arc.at(stretch.at))});
+        {stretch.from, stretch.to, stretch.at, values.unholdable(arc.at(stretch.at))});
   return result;
 }
 

@@ -50,8 +50,8 @@ Valued Values::at(const Vector<3>& x) {
       std::abs(asked.squaredNorm() - 1) < 1e-9) {
     const Posture<3> closer = posture(asked);
     const bool is_grip = settings_.objective == Objective::grip;
-    if (closer.holdable())
-      valued.p = (is_grip ? closer.value() : std::sqrt(closer.value())) / oracle_.unit;
+    const double p = (is_grip ? closer.value() : std::sqrt(closer.value())) / oracle_.unit;
+    if (closer.holdable() && p * p <= oracle_.most) valued.p = p;
   }
   return valued;
 }

@@ -59,6 +59,10 @@ class Values {
   Cut cut(const HalfSpace& half_space, double p) const { return oracle_.cut(half_space, p * p); }
   /// With the holds of all loads.
   Posture<3> posture(const Vector<3>& up) const;
+  /// The same for one that is unholdable, to show why.
+  Posture<3> unholdable(const Vector<3>& up) const {
+    return posture_at(grasp_, up, {settings_.force_cap, settings_.objective});
+  }
   const search::Oracle& oracle() const { return oracle_; }
   bool is_in_domain(const Vector<3>& up) const { return outside(up) <= 1e-9; }
   /// From now on all postures are in the domain.
