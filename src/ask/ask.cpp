@@ -241,14 +241,19 @@ double most_of_ties(const Best<3>& best, double gap) {
   return std::clamp(best.lower_bound / (1 - gap), value, most);
 }
 
-/// Puts a posture before the minima.
-void put_first(Best<3>& best, const Posture<3>& posture, double gap) {
-  const double value = posture.value();
-  best.minima.insert(best.minima.begin(), {posture});
-  if (best.pinched) ++*best.pinched;
+/// How sure the first of the minima is.
+void update_gap(Best<3>& best, double gap) {
+  const double value = best.best().value();
   best.lower_bound = std::min(best.lower_bound, value);
   best.relative_gap = value > 0 ? (value - best.lower_bound) / value : 0;
   best.status = best.relative_gap <= gap ? Status::optimal : Status::gap;
+}
+
+/// Puts a posture before the minima.
+void put_first(Best<3>& best, const Posture<3>& posture, double gap) {
+  best.minima.insert(best.minima.begin(), {posture});
+  if (best.pinched) ++*best.pinched;
+  update_gap(best, gap);
 }
 
 /// The posture in which it is held now counts as found: it may be all that can be held. It wins
@@ -283,6 +288,7 @@ void name_least_turn(Best<3>& best, const Grasp<3>& grasp, const SpatialSettings
   }
   const auto first = best.minima.begin(), chosen = first + static_cast<std::ptrdiff_t>(nearest);
   std::rotate(first, chosen, chosen + 1);
+  update_gap(best, settings.gap);
   if (best.pinched && *best.pinched <= nearest)
     best.pinched = *best.pinched == nearest ? 0 : *best.pinched + 1;
 }
