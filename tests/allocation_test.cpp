@@ -75,7 +75,7 @@ TEST(Allocation, OfHoldsWithUpTo16ContactsIsNone) {
     Hold<2> cold, warm;
     ASSERT_EQ(allocations_of([&] { cold = hold(grasp, up); }), 0U);
     ASSERT_EQ(allocations_of([&] {
-                warm = hold<2>(grasp, grasp.loads().front().at(up_at(theta + 0.01)), grasp.weight(),
+                warm = hold<2>(grasp, grasp.loads().front().at(up_at(theta + 0.01)), grasp.size(),
                                cold.dual);
               }),
               0U);

@@ -14,7 +14,7 @@ CurveSettings random_settings() {
 }
 
 bool moderate(const Grasp<2>& grasp, double effort) {
-  return std::sqrt(effort) <= 1000 * grasp.weight();
+  return std::sqrt(effort) <= 1000 * grasp.size();
 }
 
 /// Of the effort of an optimum. At the end of the holdable set V may be as steep as it likes, so

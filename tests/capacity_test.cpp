@@ -285,7 +285,7 @@ bool excludes(const Grasp<Dim>& grasp, const Vector<Dim>& up, const Twist<Dim>& 
     const Real nearest = inside ? std::hypot(z.normal, z.beside) : along / std::sqrt(1 + mu * mu);
     squared += contact.share * nearest * nearest;
   }
-  const Real weight = grasp.weight();
+  const Real weight = grasp.size();
   return y.template cast<Real>().dot(load_of(grasp, up)) > most + cap * weight * std::sqrt(squared);
 }
 
@@ -294,9 +294,9 @@ template <int Dim, class Load>
 bool balances(const Grasp<Dim>& grasp, const Load& load, const Hold<Dim>& hold) {
   using namespace space;
   const auto forces = forces_of(hold);
-  const Real digits = 1e-12L * (1 + std::sqrt(effort_of(grasp, forces)) / grasp.weight());
+  const Real digits = 1e-12L * (1 + std::sqrt(effort_of(grasp, forces)) / grasp.size());
   for (std::size_t i = 0; i < forces.size(); ++i)
-    if (outside(grasp.contacts()[i], forces[i]) > digits * grasp.weight()) return false;
+    if (outside(grasp.contacts()[i], forces[i]) > digits * grasp.size()) return false;
   return hold.holdable && forces.size() == grasp.contacts().size() &&
          imbalance(grasp, load, forces) <= 2e-12L + digits;
 }
@@ -348,7 +348,7 @@ void check_friction(const Grasp<Dim>& grasp, const Vector<Dim>& up) {
   RC_ASSERT(balances(with_friction(grasp, least.factor),
                      load_of(with_friction(grasp, least.factor), up), least.posture.hold()));
   // Beyond a thousand weights holds are found as far as rounding lets them.
-  const bool large = std::sqrt(least.posture.hold().effort) > 1e3 * grasp.weight();
+  const bool large = std::sqrt(least.posture.hold().effort) > 1e3 * grasp.size();
   RC_ASSERT(large || least.factor - least.bound <= 2e-6 * (1 + least.factor));
 }
 
@@ -599,7 +599,7 @@ bool excludes(const Grasp<Dim>& grasp, const Vector<Dim>& up, const WeightEnd<Di
     if (along > 0) squared += along * along;  // no less than the projection
   }
   return end.dual.template cast<Real>().dot(load_of(grasp, up)) >
-         most + cap * grasp.weight() * std::sqrt(squared);
+         most + cap * grasp.size() * std::sqrt(squared);
 }
 
 /// Held on one side of a limit, not on the other.

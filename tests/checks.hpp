@@ -34,7 +34,7 @@ inline RealVector in_object_frame(const Contact<2>& contact, const RealVector& f
 /// The load in the posture theta, about the origin.
 inline RealWrench load_at(const Grasp<2>& grasp, double theta) {
   const RealVector force =
-      Real{grasp.weight()} * RealVector(std::sin(Real{theta}), std::cos(Real{theta}));
+      Real{grasp.size()} * RealVector(std::sin(Real{theta}), std::cos(Real{theta}));
   return {force.x(), force.y(), cross(grasp.center().cast<Real>(), force)};
 }
 
@@ -96,11 +96,11 @@ inline Real size(const Grasp<2>& grasp, const Twist<2>& y) {
 
 /// The same for forces that balance w within the tolerance.
 inline Real proven_effort(const Grasp<2>& grasp, const RealWrench& w, const Twist<2>& y) {
-  return dual_bound(grasp, w, y) - 2 * balance_tolerance * grasp.weight() * size(grasp, y);
+  return dual_bound(grasp, w, y) - 2 * balance_tolerance * grasp.size() * size(grasp, y);
 }
 
 inline Real squared_cap(const Grasp<2>& grasp, double force_cap) {
-  const Real cap = Real{force_cap} * grasp.weight();
+  const Real cap = Real{force_cap} * grasp.size();
   return cap * cap;
 }
 
@@ -132,7 +132,7 @@ inline Real imbalance(const Grasp<2>& grasp, const RealWrench& w,
     force -= f;
     moment -= cross(contact.position.cast<Real>() - com, f);
   }
-  const Real weight = grasp.weight(), length = grasp.radius();
+  const Real weight = grasp.size(), length = grasp.radius();
   return std::max(force.norm() / weight,
                   length > 0 ? std::abs(moment) / (weight * length) : Real{0});
 }
@@ -154,7 +154,7 @@ inline bool close(Real a, Real b, Real relative, Real absolute = 0) {
 /// What is wrong with one contact force as it is reported, or nothing.
 inline std::string fault(const Grasp<2>& grasp, std::size_t i, const ContactForce<2>& f) {
   const Contact<2>& contact = grasp.contacts()[i];
-  const double weight = grasp.weight(), most = contact.friction * f.normal;
+  const double weight = grasp.size(), most = contact.friction * f.normal;
   const bool loaded = f.normal > 1e-9 * weight;
   const double used = !loaded ? 0 : most > 0 ? std::min(1.0, std::abs(f.tangential) / most) : 1;
   const ContactState state = !loaded            ? ContactState::unloaded
@@ -178,7 +178,7 @@ inline std::string fault(const Grasp<2>& grasp, const RealWrench& w, const Hold<
           << static_cast<double>(expected);
     return words.str();
   };
-  const Real weight = grasp.weight();
+  const Real weight = grasp.size();
   if (!hold.holdable) {
     if (!hold.forces.empty() || hold.effort != 0) return "an unholdable load has forces";
     const Real proven = proven_effort(grasp, w, hold.dual), cap = squared_cap(grasp, force_cap);

@@ -449,7 +449,7 @@ std::optional<Hold<Dim>> pressed_otherwise(const Grasp<Dim>& grasp, Hold<Dim> ho
     G.conservativeResize(Eigen::NoChange, G.cols() + contact.G.cols());
     G.rightCols(contact.G.cols()) = contact.G.cast<double>();
   }
-  const Eigen::VectorXd more = grasp.weight() * random_combination(G.fullPivLu().kernel());
+  const Eigen::VectorXd more = grasp.size() * random_combination(G.fullPivLu().kernel());
   hold.effort = 0;
   Eigen::Index first = 0;
   for (std::size_t i = 0; i < hold.forces.size(); ++i) {
@@ -461,13 +461,13 @@ std::optional<Hold<Dim>> pressed_otherwise(const Grasp<Dim>& grasp, Hold<Dim> ho
     const double beside = f.tail(size - 1).norm(), edge = contact.friction * f[0];
     if (f[0] < contact.min_normal || f[0] > contact.max_normal || beside > edge) return {};
     set_force(force, contact, f);
-    const bool loaded = f[0] > 1e-9 * grasp.weight();
+    const bool loaded = f[0] > 1e-9 * grasp.size();
     force.friction_used = !loaded ? 0 : edge > 0 ? beside / edge : 1;
     force.state = !loaded                          ? ContactState::unloaded
                   : force.friction_used > 1 - 1e-9 ? ContactState::slipping
                                                    : ContactState::sticking;
-    force.limit = f[0] >= contact.max_normal - 1e-9 * grasp.weight() ? ForceLimit::max
-                  : contact.min_normal > 0 && f[0] <= contact.min_normal + 1e-9 * grasp.weight()
+    force.limit = f[0] >= contact.max_normal - 1e-9 * grasp.size() ? ForceLimit::max
+                  : contact.min_normal > 0 && f[0] <= contact.min_normal + 1e-9 * grasp.size()
                       ? ForceLimit::min
                       : ForceLimit::none;
     hold.effort += f.squaredNorm() / contact.share;
@@ -509,7 +509,7 @@ std::optional<HoldAnswer<Dim>> false_hold(const Grasp<Dim>& grasp) {
   if (!hold.holdable) return {};
   if (one_in(3)) {
     hold.holdable = false;
-    hold.lower_bound = any_of(std::vector{hold.effort, 2e12 * grasp.weight() * grasp.weight()});
+    hold.lower_bound = any_of(std::vector{hold.effort, 2e12 * grasp.size() * grasp.size()});
   } else {
     std::optional<Hold<Dim>> other;
     for (int k = 0; k < 30 && !other; ++k) other = pressed_otherwise(grasp, hold);

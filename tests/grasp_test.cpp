@@ -188,7 +188,7 @@ RC_GTEST_PROP(Grasp, LoadIsTheWeightThroughTheCom, ()) {
   const Grasp<2> grasp = (*grasps()).grasp();
   const double theta = random_angle();
   const Wrench<2> load = grasp.loads().front().at(up_at(theta));
-  RC_ASSERT((load.cast<Real>() - load_at(grasp, theta)).norm() <= 1e-15L * grasp.weight());
+  RC_ASSERT((load.cast<Real>() - load_at(grasp, theta)).norm() <= 1e-15L * grasp.size());
 }
 
 /// Wrenches along the edges of the cones, about the com and in radii.

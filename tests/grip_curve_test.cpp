@@ -16,7 +16,7 @@ double at(const Harmonic1& g, double theta) { return g(theta); }
 /// Of some theta in an arc, from the arc's forces alone: they balance, keep to the cones and the
 /// limits, and their drives do F at most.
 void check_forces(const Grasp<2>& grasp, const Arc& arc, double theta) {
-  const double F = arc.value(theta), W = grasp.weight(), scale = W + F;
+  const double F = arc.value(theta), W = grasp.size(), scale = W + F;
   Hold<2> hold;
   hold.holdable = true;
   hold.forces.resize(grasp.contacts().size());
@@ -54,7 +54,7 @@ void check_curve(const Held& held, const Mechanism<2>& mechanism) {
   const Grasp<2> grasp(held.object, held.contacts, 1, mechanism);
   if (!has_grip<2>(grasp)) return;
   const PostureCurve curve = posture_curve(grasp, for_grip);
-  const double W = grasp.weight(), most = most_grip<2>(grasp);
+  const double W = grasp.size(), most = most_grip<2>(grasp);
   for (int k = 0; k < 8; ++k) {
     const double theta = random_angle();
     const Hold<2> least = least_grip(grasp, up_at(theta));
@@ -116,7 +116,7 @@ RC_GTEST_PROP(GripCurve, WithoutLimitsIsLeastAtKinksAndEnds, ()) {
   const Grasp<2> grasp = held.grasp();
   if (!has_grip<2>(grasp)) return;
   for (const Optimum& optimum : posture_curve(grasp, for_grip).optima)
-    if (!optimum.maximum && optimum.value > 1e-9 * grasp.weight())
+    if (!optimum.maximum && optimum.value > 1e-9 * grasp.size())
       RC_ASSERT(optimum.kind != Kind::smooth);
 }
 
@@ -125,7 +125,7 @@ RC_GTEST_PROP(GripCurve, HasNoPostureBelowItsBest, ()) {
   const Grasp<2> grasp = held.grasp();
   if (!has_grip<2>(grasp)) return;
   const Best<2> best = best_posture(grasp, for_grip);
-  const double W = grasp.weight();
+  const double W = grasp.size();
   if (best.holdable()) {
     RC_ASSERT(best.status == Status::optimal);
     RC_ASSERT(best.lower_bound <= best.best().value());
@@ -148,7 +148,7 @@ RC_GTEST_PROP(GripCurve, IsNoMoreThanTheGripOfLeastEffort, ()) {
   const Best<2> effort = best_posture(grasp), grip_best = best_posture(grasp, for_grip);
   if (!effort.holdable() || !grip_best.holdable()) return;
   const double pressed = grip<2>(grasp, effort.best().hold());
-  RC_ASSERT(grip_best.best().value() <= pressed + 1e-6 * (grasp.weight() + pressed));
+  RC_ASSERT(grip_best.best().value() <= pressed + 1e-6 * (grasp.size() + pressed));
 }
 
 /// Two fingers below the com: where the inner edges of their cones meet on the vertical through the

@@ -352,12 +352,12 @@ RC_GTEST_PROP(LeastGrip, GrowsWithTheLoad, ()) {
   const space::Held held = *space::grasps({.least_contacts = 2, .limits = false, .awkward = false});
   const Grasp<3> grasp = held.grasp();
   const Wrench<3> w = grasp.loads().front().at(space::random_direction());
-  const Hold<3> once = least_grip<3>(grasp, w, grasp.weight());
-  const Hold<3> thrice = least_grip<3>(grasp, Wrench<3>(3 * w), grasp.weight());
+  const Hold<3> once = least_grip<3>(grasp, w, grasp.size());
+  const Hold<3> thrice = least_grip<3>(grasp, Wrench<3>(3 * w), grasp.size());
   RC_ASSERT(once.holdable == thrice.holdable);
   if (once.holdable)
     RC_ASSERT(std::abs(grip(grasp, thrice) - 3 * grip(grasp, once)) <=
-              1e-7 * (grasp.weight() + grip(grasp, thrice)));
+              1e-7 * (grasp.size() + grip(grasp, thrice)));
 }
 
 void expect_proven(const Grasp<3>& grasp, const Vector<3>& up, double F) {
@@ -416,7 +416,7 @@ Wrench<3> random_wrench() {
 /// V is smooth in the load, 2 y its gradient.
 RC_GTEST_PROP(Pad, TheDualIsTheGradientOfTheEffort, ()) {
   const Grasp<3> grasp = random_pads();
-  const double W = grasp.weight(), step = 1e-4 * W;
+  const double W = grasp.size(), step = 1e-4 * W;
   const Wrench<3> w = grasp.loads().front().at(space::random_direction()), d = random_wrench();
   const auto at = [&](double length) {
     return hold<3>(grasp, Wrench<3>(w + length * d), W, Twist<3>::Zero());
@@ -432,7 +432,7 @@ RC_GTEST_PROP(Pad, TheDualIsTheGradientOfTheEffort, ()) {
 RC_GTEST_PROP(Pad, TheDualIsASubgradientOfTheGrip, ()) {
   const Grasp<3> grasp = random_pads();
   if (!has_grip<3>(grasp)) return;
-  const double W = grasp.weight();
+  const double W = grasp.size();
   const Wrench<3> w = grasp.loads().front().at(space::random_direction());
   const Wrench<3> other = w + W * real(0, 1) * random_wrench();
   const Hold<3> here = least_grip<3>(grasp, w, W), there = least_grip<3>(grasp, other, W);

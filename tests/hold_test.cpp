@@ -89,8 +89,8 @@ RC_GTEST_PROP(Hold, OfAnyWrenchFromAnyStartIsTheSame, ()) {
   const double weight = held.object.weight;
   const Wrench<2> w = weight * Wrench<2>(coordinate(), coordinate(), coordinate());
   const Twist<2> start = weight * Twist<2>(coordinate(), coordinate(), coordinate());
-  const Hold<2> cold = hold<2>(grasp, w, grasp.weight(), Twist<2>::Zero()),
-                warm = hold<2>(grasp, w, grasp.weight(), start);
+  const Hold<2> cold = hold<2>(grasp, w, grasp.size(), Twist<2>::Zero()),
+                warm = hold<2>(grasp, w, grasp.size(), start);
   RC_ASSERT(fault(grasp, RealWrench(w.cast<Real>()), cold) == "");
   RC_ASSERT(fault(grasp, RealWrench(w.cast<Real>()), warm) == "");
   RC_ASSERT(warm.holdable == cold.holdable);
@@ -103,7 +103,7 @@ RC_GTEST_PROP(Hold, FromTheNeighboursDualIsTheSame, ()) {
   const double theta = random_angle();
   const Hold<2> neighbour = hold(grasp, up_at(theta + 0.01));
   const Hold<2> warm =
-      hold<2>(grasp, grasp.loads().front().at(up_at(theta)), grasp.weight(), neighbour.dual);
+      hold<2>(grasp, grasp.loads().front().at(up_at(theta)), grasp.size(), neighbour.dual);
   RC_ASSERT(fault(grasp, theta, warm) == "");
   const Hold<2> cold = hold(grasp, up_at(theta));
   if (clearly(held, theta, cold.holdable)) RC_ASSERT(warm.holdable == cold.holdable);
@@ -116,7 +116,7 @@ TEST(Hold, FromTheDualOfAnUnholdableLoadIsTheSame) {
   const Hold<2> neighbour = hold(grasp, up_at(pi / 4 + 0.01));
   ASSERT_FALSE(neighbour.holdable);
   const Hold<2> warm = hold<2>(grasp, grasp.loads().front().at(up_at(pi / 4 - 0.01)),
-                               grasp.weight(), neighbour.dual);
+                               grasp.size(), neighbour.dual);
   ASSERT_TRUE(warm.holdable);
   EXPECT_EQ(fault(grasp, pi / 4 - 0.01, warm), "");
 }
@@ -278,7 +278,7 @@ TEST(Hold, OnOneFingerLeavesTheOtherUnloaded) {
   EXPECT_EQ(found.forces[0].state, ContactState::unloaded);
   EXPECT_EQ(found.forces[0].friction_used, 0);
   EXPECT_EQ(found.forces[1].state, ContactState::sticking);
-  EXPECT_FALSE(all_loaded(grasp, found, grasp.weight()));
+  EXPECT_FALSE(all_loaded(grasp, found, grasp.size()));
   EXPECT_EQ(manner(grasp, grasp.loads().front(), up_at(pi / 2), found), Manner::resting);
 }
 
@@ -337,7 +337,7 @@ TEST(Hold, WithoutAnyForceAllowedIsUnholdable) {
 
 TEST(Hold, OfNoLoadNeedsNoForce) {
   const Grasp<2> grasp = squeezed(0.5).grasp();
-  const Hold<2> found = hold<2>(grasp, Wrench<2>::Zero(), grasp.weight(), Twist<2>::Zero());
+  const Hold<2> found = hold<2>(grasp, Wrench<2>::Zero(), grasp.size(), Twist<2>::Zero());
   ASSERT_TRUE(found.holdable);
   EXPECT_EQ(found.effort, 0);
   EXPECT_EQ(found.forces[0].state, ContactState::unloaded);
@@ -347,7 +347,7 @@ TEST(Hold, OfNoLoadStillPressesWithMinNormal) {
   Held held = squeezed(0.5);
   for (Contact<2>& c : held.contacts) c.min_normal = 3;
   const Hold<2> found =
-      hold<2>(held.grasp(), Wrench<2>::Zero(), held.grasp().weight(), Twist<2>::Zero());
+      hold<2>(held.grasp(), Wrench<2>::Zero(), held.grasp().size(), Twist<2>::Zero());
   ASSERT_TRUE(found.holdable);
   EXPECT_NEAR(found.effort, 18, 1e-9);
   EXPECT_EQ(found.forces[0].limit, ForceLimit::min);
@@ -414,9 +414,9 @@ TEST(Hold, RefusesMisuse) {
   EXPECT_THROW(hold(grasp, Vector<2>(0, std::nan(""))), InvalidGrasp);
   EXPECT_THROW(hold(grasp, up_at(0), {0}), InvalidGrasp);
   EXPECT_THROW(hold(grasp, up_at(0), {std::nan("")}), InvalidGrasp);
-  EXPECT_THROW(hold<2>(grasp, Wrench<2>(0, infinity, 0), grasp.weight(), Twist<2>::Zero()),
+  EXPECT_THROW(hold<2>(grasp, Wrench<2>(0, infinity, 0), grasp.size(), Twist<2>::Zero()),
                InvalidGrasp);
-  EXPECT_THROW(hold<2>(grasp, Wrench<2>::Zero(), grasp.weight(), Twist<2>(0, std::nan(""), 0)),
+  EXPECT_THROW(hold<2>(grasp, Wrench<2>::Zero(), grasp.size(), Twist<2>(0, std::nan(""), 0)),
                InvalidGrasp);
 }
 

@@ -148,7 +148,7 @@ TEST(PreviousAnalysis, BestIsTheMidpointOnTheVerticalThroughTheCom) {
   Random random;
   for (int k = 0; k < 2000; ++k) {
     const Grasp<2> grasp = random.grasp();
-    const double W = grasp.weight(), best = best_without_friction(grasp);
+    const double W = grasp.size(), best = best_without_friction(grasp);
     // By hand: V = W^2/2 (1 + (offset / half distance)^2), offset of the midpoint to the vertical.
     const Vector<2> p1 = grasp.contacts()[0].position, p2 = grasp.contacts()[1].position;
     const Vector<2> arm = (p1 + p2) / 2 - grasp.center();

@@ -47,7 +47,7 @@ Twist<2> dual_at(const Arc& arc, double theta) {
 
 /// What is promised to nine digits.
 bool moderate(const Grasp<2>& grasp, double effort) {
-  return std::sqrt(effort) <= 1000 * grasp.weight();
+  return std::sqrt(effort) <= 1000 * grasp.size();
 }
 
 /// How far V(theta) is from `effort`, relative to it; 0 within rounding.

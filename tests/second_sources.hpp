@@ -20,7 +20,7 @@ inline std::optional<LeastForces> clamped_internal_force(const Grasp<2>& grasp,
                                                          const RealWrench& w) {
   const Contact<2>&a = grasp.contacts()[0], &b = grasp.contacts()[1];
   const RealVector line = (b.position - a.position).cast<Real>();
-  const Real distance = line.norm(), weight = grasp.weight();
+  const Real distance = line.norm(), weight = grasp.size();
   const RealVector along = line / distance, across(-along.y(), along.x());
   const Real moment = w[2] - cross(a.position.cast<Real>(), w.head<2>());
   const RealVector particular_b = moment / distance * across;
@@ -148,7 +148,7 @@ class EveryFace {
       trial.forces.push_back(force);
     }
     trial.effort = effort_of(grasp_, trial.forces);
-    const Real weight = grasp_.weight();
+    const Real weight = grasp_.size();
     const Real tolerance = balance_tolerance * (weight + std::sqrt(trial.effort));
     if (trial.effort >= best_.effort) return;
     if (imbalance(grasp_, w_, trial.forces) * weight > tolerance) return;

@@ -57,7 +57,7 @@ Planes planes_of(const std::vector<Grasp<3>>& scenarios, const std::vector<Cut>&
       const Grasp<3>& grasp = scenarios[c.load];
       const Real3 omega = c.y.tail<3>().cast<Real>();
       const Real3 v = c.y.head<3>().cast<Real>() + omega.cross(grasp.center().cast<Real>());
-      n.emplace_back(Real{grasp.weight()} * v);
+      n.emplace_back(Real{grasp.size()} * v);
       b.push_back(t / 2 + support(grasp, c.y));
     }
     const Real norm = n.back().norm();
@@ -119,7 +119,7 @@ std::string fault(const std::vector<Grasp<3>>& scenarios, const Best<3>& best,
   }
   double shares = 0, weight = 0;
   for (const Contact<3>& contact : scenarios.front().contacts()) shares += contact.share;
-  for (const Grasp<3>& grasp : scenarios) weight = std::max(weight, grasp.weight());
+  for (const Grasp<3>& grasp : scenarios) weight = std::max(weight, grasp.size());
   if (bound <= weight * weight / shares * (1 + 1e-12)) return "";  // forces add up to the weight
   const Planes planes = planes_of(scenarios, best.proof.cuts, bound);
   if (best.proof.cuts.size() <= 45 && farthest_of_all_corners(planes) <= 1 + 1e-7L) return "";

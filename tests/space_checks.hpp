@@ -41,7 +41,7 @@ inline Real3 force_vector(const Contact<3>& contact, const Force& f) {
 }
 
 inline Real6 load_at(const Grasp<3>& grasp, const Vector<3>& up) {
-  const Real3 force = Real{grasp.weight()} * up.cast<Real>();
+  const Real3 force = Real{grasp.size()} * up.cast<Real>();
   Real6 load;
   load << force, grasp.center().cast<Real>().cross(force);
   return load;
@@ -120,11 +120,11 @@ inline Real proven_effort(const Grasp<3>& grasp, const Real6& w, const Twist<3>&
   const Real3 omega = y.tail<3>().cast<Real>();
   const Real3 v = y.head<3>().cast<Real>() + omega.cross(grasp.center().cast<Real>());
   const Real size = v.norm() + grasp.radius() * omega.norm();
-  return dual_bound(grasp, w, y) - 2 * balance_tolerance * grasp.weight() * size;
+  return dual_bound(grasp, w, y) - 2 * balance_tolerance * grasp.size() * size;
 }
 
 inline Real squared_cap(const Grasp<3>& grasp, double force_cap) {
-  const Real cap = Real{force_cap} * grasp.weight();
+  const Real cap = Real{force_cap} * grasp.size();
   return cap * cap;
 }
 
@@ -152,7 +152,7 @@ inline Real imbalance(const Grasp<3>& grasp, const Real6& w, const std::vector<F
     moment -=
         (contact.position.cast<Real>() - com).cross(f) + forces[i].moment * normal_of(contact);
   }
-  const Real weight = grasp.weight(), length = grasp.radius();
+  const Real weight = grasp.size(), length = grasp.radius();
   return std::max(force.norm() / weight, length > 0 ? moment.norm() / (weight * length) : Real{0});
 }
 
@@ -163,7 +163,7 @@ inline bool close(Real a, Real b, Real relative, Real absolute = 0) {
 /// What is wrong with one contact force as it is reported, or nothing.
 inline std::string fault(const Grasp<3>& grasp, std::size_t i, const ContactForce<3>& f) {
   const Contact<3>& contact = grasp.contacts()[i];
-  const double weight = grasp.weight();
+  const double weight = grasp.size();
   const Real most = contact.friction * Real{f.normal};
   const Real side = beside(contact, {f.normal, f.tangential.cast<Real>(), f.torsion_moment});
   const bool loaded = f.normal > 1e-9 * weight;
@@ -190,7 +190,7 @@ inline std::string fault(const Grasp<3>& grasp, const Real6& w, const Hold<3>& h
           << static_cast<double>(expected);
     return words.str();
   };
-  const Real weight = grasp.weight();
+  const Real weight = grasp.size();
   if (!hold.holdable) {
     if (!hold.forces.empty() || hold.effort != 0) return "an unholdable load has forces";
     const Real proven = proven_effort(grasp, w, hold.dual), cap = squared_cap(grasp, force_cap);

@@ -52,9 +52,9 @@ RC_GTEST_PROP(BestForGrip, NoPostureNeedsLess, ()) {
   RC_ASSERT(best.lower_bound <= least * (1 + 1e-7));
   if (!best.holdable()) return;
   RC_ASSERT(std::abs(grip_at(grasp, best.best().up) - best.best().value()) <=
-            1e-7 * (grasp.weight() + least));
+            1e-7 * (grasp.size() + least));
   if (best.status == Status::optimal)
-    RC_ASSERT(best.best().value() <= least * (1 + 2e-6) + 1e-9 * grasp.weight());
+    RC_ASSERT(best.best().value() <= least * (1 + 2e-6) + 1e-9 * grasp.size());
 }
 
 // Drives that are limited to c hold c / F* newtons for each newton of F*'s load: the posture of

@@ -55,8 +55,8 @@ RC_GTEST_PROP(SpaceHold, OfAnyWrenchFromAnyStartIsTheSame, ()) {
     w[k] = weight * coordinate();
     start[k] = weight * coordinate();
   }
-  const Hold<3> cold = hold<3>(grasp, w, grasp.weight(), Twist<3>::Zero()),
-                warm = hold<3>(grasp, w, grasp.weight(), start);
+  const Hold<3> cold = hold<3>(grasp, w, grasp.size(), Twist<3>::Zero()),
+                warm = hold<3>(grasp, w, grasp.size(), start);
   RC_ASSERT(fault(grasp, Real6(w.cast<Real>()), cold) == "");
   RC_ASSERT(fault(grasp, Real6(w.cast<Real>()), warm) == "");
   RC_ASSERT(warm.holdable == cold.holdable);

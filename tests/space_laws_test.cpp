@@ -116,7 +116,7 @@ RC_GTEST_PROP(SpaceLaws, EffortIsConvexInTheLoad, ()) {
     b[k] = held.object.weight * coordinate();
   }
   const auto at = [&](const Wrench<3>& w) {
-    return hold<3>(grasp, w, grasp.weight(), Twist<3>::Zero());
+    return hold<3>(grasp, w, grasp.size(), Twist<3>::Zero());
   };
   const Hold<3> one = at(a), other = at(b);
   if (!one.holdable || !other.holdable) return;

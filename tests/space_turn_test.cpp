@@ -180,7 +180,7 @@ double proven_by(const Case& each, const Cut& cut, const Vector<3>& up) {
   const Grasp<3>& grasp = each.grasp;
   if (cut.n) return cut.n->dot(up) > 0 ? infinity : 0;
   const Wrench<3> w = grasp.loads()[cut.load].at(up);
-  const double weight = grasp.weight();
+  const double weight = grasp.size();
   if (each.settings.objective == Objective::grip) {
     SmallVector<double, 4> rates(cut.rates->size());
     std::copy(cut.rates->begin(), cut.rates->end(), rates.begin());
@@ -258,7 +258,7 @@ std::string fault(const Case& each, const Vector<3>& from, const Vector<3>& to, 
     for (const Vector<3>& up : way.ups)
       if (stays && !is_tilted_less(each, up)) return "a step leaves the domain";
     const double gap = (way.peak - way.lower_bound) / way.peak;
-    const bool is_nothing = way.peak < 1e-5 * each.grasp.weight();
+    const bool is_nothing = way.peak < 1e-5 * each.grasp.size();
     if (!is_nothing && (way.status == Status::optimal) != (gap <= each.settings.gap * (1 + 1e-6)))
       return "the status";
   } else if ((way.status == Status::unholdable) != !(way.lower_bound < infinity)) {

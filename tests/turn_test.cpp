@@ -39,7 +39,7 @@ std::string fault(const Grasp<2>& grasp, double from, const TurnPeak<2>& found,
   if (found.at * found.angle < 0 || std::abs(found.at) > std::abs(found.angle)) return "at";
   if ((found.posture.up - up_at(from + found.at)).norm() > 1e-7) return "the posture";
   const double scale =
-      grasp.weight() * (settings.objective == Objective::effort ? grasp.weight() : 1);
+      grasp.size() * (settings.objective == Objective::effort ? grasp.size() : 1);
   const double rounding = 1e-7 * scale;
   if (found.peak < infinity && nearest_end(curve, from + found.at) > 1e-7 &&
       std::abs(found.posture.value() - found.peak) > 1e-6 * found.peak + rounding)
@@ -257,7 +257,7 @@ RC_GTEST_PROP(Turn, BestReachableIsThatOfDenseSamples, ()) {
       const double here = value(grasp, theta, settings.objective);
       if (here < infinity) RC_ASSERT(here <= now * (1 + 1e-6));
       if (settings.domain == Domain::all && here < infinity)
-        RC_ASSERT(here >= least * (1 - 1e-6) - 1e-7 * grasp.weight());
+        RC_ASSERT(here >= least * (1 - 1e-6) - 1e-7 * grasp.size());
     }
 }
 

@@ -26,7 +26,7 @@ class Random {
 bool pinches_up(const Grasp<2>& grasp, const poise::Minimum<2>& posture) {
   const Interval fork = fork_wedge(grasp, grasp.loads().front().com);
   const double from_start = std::remainder(posture.optimum.angle - fork.from - pi, 2 * pi) + pi;
-  return from_start >= fork.to - fork.from && all_loaded<2>(grasp, posture.hold(), grasp.weight());
+  return from_start >= fork.to - fork.from && all_loaded<2>(grasp, posture.hold(), grasp.size());
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ EllipseCounts count_ellipses(std::size_t ellipses, double off_centre, std::uint6
       continue;
     }
     const poise::Minimum<2>& lowest = best.best();
-    if (!all_loaded<2>(grasp, lowest.hold(), grasp.weight())) {
+    if (!all_loaded<2>(grasp, lowest.hold(), grasp.size())) {
       ++counts.resting;
     } else if (lowest.optimum.kind == Kind::smooth) {
       ++counts.smooth;

@@ -34,7 +34,7 @@ std::vector<BothSlip> both_slip(const Grasp<2>& grasp) {
           one.position + (lines.inverse() * (two.position - one.position)).x() * edges.col(0);
       for (const double sign : {-1.0, 1.0}) {  // the meeting point above or below
         const Vector<2> up = sign * (meet - com).normalized();
-        const Vector<2> normal = edges.inverse() * (grasp.weight() * up);
+        const Vector<2> normal = edges.inverse() * (grasp.size() * up);
         if (!(normal.minCoeff() > 0)) continue;
         result.push_back({.theta = angle_of(up),
                           .meet = meet,

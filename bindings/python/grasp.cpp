@@ -118,7 +118,7 @@ void add_grasp(py::module_& module) {
                       }))
       .def("__repr__", each<AnyGrasp>([](const auto& grasp) {
              return py::str("Grasp(weight={:g} N, {} contacts, fingers={})")
-                 .format(grasp.weight(), grasp.contacts().size(), grasp.fingers());
+                 .format(grasp.size(), grasp.contacts().size(), grasp.fingers());
            }));
 
   module.def(

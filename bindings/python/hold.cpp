@@ -102,7 +102,7 @@ AnyHold hold_load(const AnyGrasp& any, const Eigen::VectorXd& load, const Eigen:
   return std::visit(
       [&]<int Dim>(const Grasp<Dim>& grasp) {
         constexpr int size = wrench_size<Dim>;
-        return AnyHold{hold<Dim>(grasp, sized<size>(load, "load"), grasp.weight(),
+        return AnyHold{hold<Dim>(grasp, sized<size>(load, "load"), grasp.size(),
                                  sized<size>(y, "y"), settings)};
       },
       any.of);
@@ -324,7 +324,7 @@ void add_hold(py::module_& module) {
       "all_loaded",
       [](const AnyGrasp& any, const AnyHold& hold) {
         return each(any, hold, [](const auto& grasp, const auto& own) {
-          return all_loaded(grasp, own, grasp.weight());
+          return all_loaded(grasp, own, grasp.size());
         });
       },
       py::arg("grasp"), py::arg("hold"),

@@ -98,13 +98,13 @@ Json planes(const Grasp<3>& grasp, const std::vector<Field>& cuts, const HoldSet
     if (!rates.empty() && rates.size() != grasp.drives().size())
       cut.fail("must have a rate for each drive");
     const auto proven =
-        static_cast<double>(is_grip ? dual::grip_bound<3>(grasp, load.fixed, y, rates, in_parts,
+        static_cast<double>(is_grip ? dual::grip_bound<3>(grasp, load.still(), y, rates, in_parts,
                                                           settings.force_cap * greatest)
-                                    : dual::effort_bound<3>(grasp, load.fixed, y, rates, 1));
+                                    : dual::effort_bound<3>(grasp, load.still(), y, rates, 1));
     const double times = is_grip ? 1 : 2;
     Json a = Json::array();
     for (int k = 0; k < 3; ++k)
-      a.push_back(times * y.dot(load.at(Vector<3>::Unit(k)) - load.fixed));
+      a.push_back(times * y.dot(load.at(Vector<3>::Unit(k)) - load.still()));
     result.push_back({{"a", std::move(a)}, {"b", -proven}, {"rate", is_grip ? sum : 1}});
   }
   return result;

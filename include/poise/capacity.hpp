@@ -32,6 +32,7 @@ struct Deciding {
 };
 
 /// All weights that can be held in a posture: an interval, since forces that hold two weights mix.
+/// A load's accelerations go with its weight; its fixed wrench stays as it is.
 template <int Dim>
 struct WeightRange {
   bool holdable{false};  ///< whether there are any

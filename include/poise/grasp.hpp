@@ -26,12 +26,12 @@ class Grasp : public Hand<Dim> {
         Mechanism<Dim> mechanism = {});
 
   const std::vector<Load<Dim>>& loads() const { return loads_; }  ///< at least one
-  /// The greatest weight of the loads [N].
-  double weight() const { return weight_; }
+  /// The size of the largest load [N].
+  double size() const { return size_; }
 
  private:
   std::vector<Load<Dim>> loads_;
-  double weight_{0};
+  double size_{0};
 };
 
 }  // namespace poise

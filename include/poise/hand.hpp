@@ -110,6 +110,8 @@ class Hand {
   const Vector<Dim>& center() const { return center_; }
   /// L [m], the distance of the farthest contact from the center.
   double radius() const { return radius_; }
+  /// The unit of lengths: L, or 1 m where all contacts lie at the center.
+  double length() const;
 
   /// The contacts in the units in which the solver works.
   struct Scaled;

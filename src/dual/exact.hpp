@@ -158,8 +158,8 @@ Exact grip_bound(const Hand<Dim>& hand, const Wrench<Dim>& load, const Twist<Dim
 template <int Dim>
 Exact bound(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
             const Twist<Dim>& y, double friction_factor) {
-  const Exact power = load.weight * velocity<Dim>(y, load.com).dot(up.template cast<Exact>()) +
-                      y.template cast<Exact>().dot(load.fixed.template cast<Exact>());
+  const Exact power = load.turning() * velocity<Dim>(y, load.com).dot(up.template cast<Exact>()) +
+                      y.template cast<Exact>().dot(load.still().template cast<Exact>());
   return 2 * (power - phi(hand, y, friction_factor));
 }
 

@@ -51,9 +51,9 @@ inline Wrench<3> scaled_wrench(const ScaledHand<3>& hand, double weight, const W
 template <int Dim>
 Wrench<Dim> scaled_load(const ScaledHand<Dim>& hand, double weight, const Load<Dim>& load,
                         const Vector<Dim>& up) {
-  const double part = load.weight / weight;
+  const double part = load.turning() / weight;
   const Vector<Dim> arm = (load.com - hand.center) * hand.per_length, force = part * up;
-  Wrench<Dim> w = scaled_wrench(hand, weight, load.fixed);
+  Wrench<Dim> w = scaled_wrench(hand, weight, load.still());
   w.template head<Dim>() += force;
   if constexpr (Dim == 2)
     w[2] += arm.x() * force.y() - arm.y() * force.x();

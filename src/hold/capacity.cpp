@@ -58,6 +58,12 @@ struct Question {
       limited = limited || std::isfinite(contact.max_normal);
       radius = std::max(radius, (contact.position - load.com).norm());
     }
+    Load<Dim> newton = load;
+    newton.weight = 1;
+    newton.fixed.setZero();
+    per_newton = newton.at(up);
+    moving = std::abs(newton.turning()) + newton.acceleration.norm() / standard_gravity;
+    still = of(0).size(hand.length());
   }
 
   const Hand<Dim>& hand;
@@ -67,12 +73,34 @@ struct Question {
   std::vector<Drive<Dim>> drives;
   bool limited_drives{false}, limited{false};
   double radius{0};  ///< L of this load: the hand's is about its center
+  Wrench<Dim> per_newton;  ///< what a newton of weight adds to the load, with its accelerations
+  double moving, still;    ///< the load's size is at most moving weight + still
 
+  /// The load with another weight [N].
+  Load<Dim> of(double weight) const {
+    Load<Dim> other = load;
+    other.weight = weight;
+    return other;
+  }
+  /// Without its fixed wrench, which is nothing beside weights that are great enough; of 1 N where
+  /// it has no weight.
+  Load<Dim> without_fixed() const {
+    Load<Dim> other = of(load.weight > 0 ? load.weight : 1);
+    other.fixed.setZero();
+    return other;
+  }
+  /// What an imbalance of the tolerance does against y at most, for each newton of the load's size.
+  Real tolerance(const Twist<Dim>& y) const {
+    const Real omega = y.template tail<wrench_size<Dim> - Dim>().norm();
+    return dual::delta * (dual::velocity<Dim>(y, load.com).norm() + radius * omega);
+  }
   /// What one newton of weight does against y at least, if the balance is off by the tolerance.
   Real driven(const Twist<Dim>& y) const {
-    const Eigen::Matrix<Real, Dim, 1> v = dual::velocity<Dim>(y, load.com);
-    const Real omega = y.template tail<wrench_size<Dim> - Dim>().norm();
-    return v.dot(up.template cast<Real>()) - dual::delta * (v.norm() + radius * omega);
+    return y.template cast<Real>().dot(per_newton.template cast<Real>()) - moving * tolerance(y);
+  }
+  /// And what the fixed wrench does.
+  Real driven_by_fixed(const Twist<Dim>& y) const {
+    return y.template cast<Real>().dot(load.fixed.template cast<Real>()) - still * tolerance(y);
   }
   /// How a drive moves the finger of a contact.
   Twist<Dim> screw(std::size_t drive, std::size_t contact) const {
@@ -142,14 +170,13 @@ struct Question {
   }
   /// The hold of another weight [N] by the same contacts, or by changed ones.
   Hold<Dim> hold(const ScaledHand<Dim>& contacts, double weight, double friction_factor = 1) const {
-    const Load<Dim> probed{.weight = weight, .com = load.com};
-    return solve<Dim>(hand, contacts, friction_factor, probed, up, settings);
+    return solve<Dim>(hand, contacts, friction_factor, of(weight), up, settings);
   }
   /// Whether limits are too low for a load, and what proves it.
-  bool needs_too_much(const Wrench<Dim>& wrench, double weight, double friction_factor,
+  bool needs_too_much(const Wrench<Dim>& wrench, double unit, double friction_factor,
                       Proof<Dim>& proof) const {
     if (!hand.is_general() || !limited) return false;
-    const LeastPart<Dim> least = least_part(hand, friction_factor, wrench, weight);
+    const LeastPart<Dim> least = least_part(hand, friction_factor, wrench, unit);
     if (least.state != dual::Balance<Dim>::State::not_held && !(least.part > 1 + 1e-9))
       return false;
     proof = {least.y, least.rates};
@@ -157,20 +184,19 @@ struct Question {
   }
   /// A hold, or what proves that there is none.
   bool holds(double weight, double friction_factor, Hold<Dim>& hold, Proof<Dim>& proof) const {
-    const Load<Dim> probed{.weight = weight, .com = load.com};
-    if (needs_too_much(probed.at(up), weight, friction_factor, proof)) return false;
+    const Load<Dim> probed = of(weight);
+    if (needs_too_much(probed.at(up), probed.size(hand.length()), friction_factor, proof))
+      return false;
     hold = friction_factor == 1
                ? this->hold(hand.scaled(), weight)
                : this->hold(hand.scaled().with_friction(friction_factor), weight, friction_factor);
     if (!hold.holdable) proof = {hold.dual, hold.rates};
     return hold.holdable;
   }
-  /// With a hold that was found, by `by`.
-  Posture<Dim> posture(Hold<Dim> hold, double weight, const Hand<Dim>& by) const {
+  /// With a hold that was found, of a load, by `by`.
+  Posture<Dim> posture(Hold<Dim> hold, const Load<Dim>& held, const Hand<Dim>& by) const {
     Posture<Dim> posture{.up = up, .holds = {std::move(hold)}};
-    if (!posture.holdable()) return posture;
-    const Load<Dim> probed{.weight = weight, .com = load.com};
-    posture.manner = poise::manner(by, probed, up, posture.hold());
+    if (posture.holdable()) posture.manner = poise::manner(by, held, up, posture.hold());
     return posture;
   }
 };
@@ -183,7 +209,9 @@ struct Cut {
 template <int Dim>
 Cut cut_by(const Question<Dim>& asked, const Proof<Dim>& proof) {
   const Power most = asked.power(proof, 1);
-  return {asked.driven(proof.y) - asked.settings.force_cap * most.growing, most.fixed};
+  const Real growing = asked.settings.force_cap * most.growing;
+  return {asked.driven(proof.y) - asked.moving * growing,
+          most.fixed - asked.driven_by_fixed(proof.y) + asked.still * growing};
 }
 
 /// The part of a contact's tangential velocity that makes all of it slip.
@@ -226,6 +254,7 @@ std::vector<double> drives_by(const Question<Dim>& asked, const Proof<Dim>& proo
 template <int Dim>
 Hold<Dim> hold_without_limits(const Question<Dim>& asked) {
   const Hand<Dim>& hand = asked.hand;
+  const Load<Dim> load = asked.without_fixed();
   std::vector<Contact<Dim>> contacts;
   for (const Contact<Dim>& contact : hand.contacts())
     if (!std::isfinite(contact.max_normal)) {
@@ -238,7 +267,7 @@ Hold<Dim> hold_without_limits(const Question<Dim>& asked) {
   Mechanism<Dim> mechanism{.kind = DriveKind::listed};
   for (Drive<Dim> drive : asked.drives) {
     if (!std::isfinite(drive.max)) continue;
-    drive.max = nothing * asked.load.weight * (drive.turns ? hand.scaled().length : 1);
+    drive.max = nothing * load.size(hand.length()) * (drive.turns ? hand.scaled().length : 1);
     std::erase_if(drive.moves, [&](const auto& moved) {
       const auto& left = fingers.fingers();
       return std::find(left.begin(), left.end(), moved.finger) == left.end();
@@ -246,7 +275,6 @@ Hold<Dim> hold_without_limits(const Question<Dim>& asked) {
     if (!drive.moves.empty()) mechanism.drives.push_back(std::move(drive));
   }
   if (mechanism.drives.empty()) mechanism.kind = DriveKind::each;
-  const Load<Dim> load{.weight = asked.load.weight, .com = asked.load.com};
   const Hold<Dim> found = poise::hold(Hand<Dim>(contacts, hand.center(), 1, mechanism), load,
                                       asked.up, {asked.settings.force_cap});
   hold.holdable = found.holdable;
@@ -281,6 +309,7 @@ class WeightSearch {
  public:
   explicit WeightSearch(const Question<Dim>& asked) : asked_(asked) {
     range_.greatest.bound = infinity;
+    pressing_ = asked.still;
     for (const Contact<Dim>& contact : asked.hand.contacts()) {
       pressing_ += contact.min_normal;
       if (std::isfinite(contact.max_normal)) strength_ += contact.max_normal;
@@ -337,7 +366,7 @@ class WeightSearch {
   }
 
   bool empty() const {
-    return range_.greatest.bound <= dual::delta * strength_ ||
+    return (!(asked_.still > 0) && range_.greatest.bound <= dual::delta * strength_) ||
            range_.greatest.bound < range_.least.bound ||
            range_.least.bound > out_of_proportion * pressing_;
   }
@@ -353,20 +382,20 @@ class WeightSearch {
   }
 
   void bound_greatest() {
-    if (!asked_.hand.is_general()) {
-      greatest_ = asked_.hold(asked_.hand.scaled().without_limits(), asked_.load.weight);
-    } else if (!asked_.limited) {
-      greatest_ = asked_.hold(asked_.hand.scaled(), asked_.load.weight);
+    const Hand<Dim>& hand = asked_.hand;
+    const Load<Dim> given = asked_.without_fixed();
+    const double unit = given.size(hand.length());
+    if (!hand.is_general() || !asked_.limited) {
+      const auto& contacts = hand.is_general() ? hand.scaled() : hand.scaled().without_limits();
+      greatest_ = solve<Dim>(hand, contacts, 1, given, asked_.up, asked_.settings);
     } else {
-      const Hand<Dim>& hand = asked_.hand;
       std::vector<Contact<Dim>> contacts = hand.contacts();
       for (Contact<Dim>& contact : contacts) contact.min_normal = 0;
-      const Load<Dim> given{.weight = asked_.load.weight, .com = asked_.load.com};
       const LeastPart<Dim> least =
           least_part(Hand<Dim>(std::move(contacts), hand.center(), 1, hand.mechanism()), 1,
-                     given.at(asked_.up), given.weight);
+                     given.at(asked_.up), unit);
       if (least.state == dual::Balance<Dim>::State::held &&
-          least.part * strength_ <= nothing * given.weight)
+          least.part * strength_ <= nothing * unit)
         greatest_ = hold_without_limits(asked_);
       else
         cut({least.y, least.rates});
@@ -383,10 +412,11 @@ class WeightSearch {
 
   bool find_least() {
     WeightEnd<Dim>& end = range_.least;
-    const Wrench<Dim> none = Wrench<Dim>::Zero();
+    const Wrench<Dim>& none = asked_.load.fixed;
+    const double unit = asked_.still > 0 ? asked_.still : asked_.load.size(asked_.hand.length());
     Proof<Dim> proof;
-    if (!asked_.needs_too_much(none, asked_.load.weight, 1, proof)) {
-      least_ = poise::hold<Dim>(asked_.hand, none, asked_.load.weight, Twist<Dim>::Zero(),
+    if (!asked_.needs_too_much(none, unit, 1, proof)) {
+      least_ = poise::hold<Dim>(asked_.hand, none, unit, Twist<Dim>::Zero(),
                                 {asked_.settings.force_cap});
       proof = {least_.dual, least_.rates};
     }
@@ -444,7 +474,7 @@ class WeightSearch {
   void complete(WeightEnd<Dim>& end, Hold<Dim>& hold) const {
     const Hand<Dim>& hand = asked_.hand;
     if (end.weight < infinity || !hold.holdable) {
-      end.posture = asked_.posture(std::move(hold), end.weight, hand);
+      end.posture = asked_.posture(std::move(hold), asked_.of(end.weight), hand);
       return;
     }
     std::vector<Contact<Dim>> contacts = hand.contacts();
@@ -453,7 +483,7 @@ class WeightSearch {
       if (std::isfinite(contact.max_normal)) contact.max_normal = 0;
     }
     end.posture =
-        asked_.posture(std::move(hold), asked_.load.weight,
+        asked_.posture(std::move(hold), asked_.without_fixed(),
                        Hand<Dim>(std::move(contacts), hand.center(), 1, hand.mechanism()));
   }
 
@@ -476,7 +506,7 @@ class FrictionSearch {
     if (!probe(0)) narrow();
     found_.proven = found_.factor < infinity ? is_near(found_.factor, found_.bound, no_friction)
                                              : found_.bound >= most_friction * (1 - near);
-    found_.posture = asked_.posture(std::move(hold_), asked_.load.weight, asked_.hand);
+    found_.posture = asked_.posture(std::move(hold_), asked_.load, asked_.hand);
     return std::move(found_);
   }
 
@@ -522,10 +552,12 @@ class FrictionSearch {
         std::max(proof.y.template lpNorm<Eigen::Infinity>(), std::numeric_limits<double>::min());
     proof.y /= size;
     for (double& rate : proof.rates) rate /= size;
-    const Real weight = asked_.load.weight, needed = weight * asked_.driven(proof.y);
+    const Real unit = asked_.moving * asked_.load.weight + asked_.still;
+    const Real needed = asked_.load.weight * asked_.driven(proof.y) +
+                        asked_.driven_by_fixed(proof.y);
     const auto does = [&](const Proof<Dim>& with, double factor) {
       const Power most = asked_.power(with, factor);
-      return needed > most.fixed + asked_.settings.force_cap * weight * most.growing;
+      return needed > most.fixed + asked_.settings.force_cap * unit * most.growing;
     };
     const auto proves = [&](double factor) {  // less and less the more friction there is
       return does(proof, factor) ||
@@ -557,13 +589,12 @@ Posture<Dim> safe_posture(const Question<Dim>& asked, double safety) {
   if (!has_grip(hand))
     return asked.posture(
         asked.hold(hand.scaled().with_friction(1 / safety), asked.load.weight, 1 / safety),
-        asked.load.weight, hand);
+        asked.load, hand);
   const Hand<Dim> safe(hand.contacts(), hand.center(), safety, hand.mechanism());
-  const Load<Dim> load{.weight = asked.load.weight, .com = asked.load.com};
   return asked.posture(
-      least_grip(safe, load, asked.up,
+      least_grip(safe, asked.load, asked.up,
                  {.force_cap = asked.settings.force_cap, .objective = Objective::grip}),
-      load.weight, hand);
+      asked.load, hand);
 }
 
 }  // namespace

@@ -239,7 +239,7 @@ template <int Dim>
 Hold<Dim> least_grip(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& up,
                      const HoldSettings& settings) {
   check_up<Dim>(up);
-  return least_grip(hand, load.at(up), load.weight, settings);
+  return least_grip(hand, load.at(up), load.size(hand.length()), settings);
 }
 
 template <int Dim>

@@ -185,9 +185,13 @@ template <int Dim>
 const std::vector<Load<Dim>>& checked(const std::vector<Load<Dim>>& loads) {
   if (loads.empty()) throw InvalidGrasp("loads", "is empty, must hold at least one load");
   for (const Load<Dim>& load : loads) {
-    check(load.weight, load.weight > 0, {"object.weight"}, "above 0");
+    check(load.weight, load.weight >= 0, {"object.weight"}, "at least 0");
     check<Dim>(load.com, {"object.com"});
-    if (!load.fixed.allFinite()) throw InvalidGrasp("object.fixed", "must be finite");
+    if (!load.fixed.allFinite()) throw InvalidGrasp("loads.fixed", "must be finite");
+    check(load.lift, true, {"loads.acceleration.up"}, "");
+    check<Dim>(load.acceleration, {"loads.acceleration"});
+    check(load.weight, load.turning() != 0 || !load.still().isZero(0), {"object.weight"},
+          "above 0 where nothing else acts");
   }
   return loads;
 }
@@ -334,6 +338,11 @@ void Hand<Dim>::check_mechanism() {
 }
 
 template <int Dim>
+double Hand<Dim>::length() const {
+  return scaled_->length;
+}
+
+template <int Dim>
 Vector<Dim> Hand<Dim>::closing(std::size_t finger) const {
   for (const Finger<Dim>& given : mechanism_.fingers)
     if (given.name == fingers_[finger] && given.closing.cwiseAbs().maxCoeff() > 0)
@@ -373,14 +382,31 @@ const char* to_string(DriveKind kind) {
 }
 
 template <int Dim>
-Wrench<Dim> Load<Dim>::at(const Vector<Dim>& up) const {
-  const Vector<Dim> force = weight * up;
-  Wrench<Dim> load;
+Wrench<Dim> wrench_of(const Vector<Dim>& force, const Vector<Dim>& at) {
+  Wrench<Dim> wrench;
   if constexpr (Dim == 2)
-    load << force, com.x() * force.y() - com.y() * force.x();
+    wrench << force, at.x() * force.y() - at.y() * force.x();
   else
-    load << force, com.cross(force);
-  return load + fixed;
+    wrench << force, at.cross(force);
+  return wrench;
+}
+
+template <int Dim>
+Wrench<Dim> Load<Dim>::still() const {
+  return wrench_of<Dim>(weight / standard_gravity * acceleration, com) + fixed;
+}
+
+template <int Dim>
+Wrench<Dim> Load<Dim>::at(const Vector<Dim>& up) const {
+  return wrench_of<Dim>(turning() * up, com) + still();
+}
+
+template <int Dim>
+double Load<Dim>::size(double length) const {
+  const Wrench<Dim> wrench = still();
+  const Vector<Dim> force = wrench.template head<Dim>();
+  const double moment = (wrench - wrench_of<Dim>(force, com)).norm();
+  return std::abs(turning()) + force.norm() + moment / length;
 }
 
 template <int Dim>
@@ -389,7 +415,7 @@ Grasp<Dim>::Grasp(Loads loads, std::vector<Contact<Dim>> contacts, double safety
                   Mechanism<Dim> mechanism)
     : Hand<Dim>(std::move(contacts), checked(loads).front().com, safety, std::move(mechanism)),
       loads_(std::move(loads)) {
-  for (const Load<Dim>& load : loads_) weight_ = std::max(weight_, load.weight);
+  for (const Load<Dim>& load : loads_) size_ = std::max(size_, load.size(this->length()));
 }
 
 template <int Dim>
@@ -412,6 +438,8 @@ template class Hand<2>;
 template class Hand<3>;
 template struct Load<2>;
 template struct Load<3>;
+template Wrench<2> wrench_of(const Vector<2>&, const Vector<2>&);
+template Wrench<3> wrench_of(const Vector<3>&, const Vector<3>&);
 template class Grasp<2>;
 template class Grasp<3>;
 template Grasp<2>::Grasp(std::vector<Load<2>>, std::vector<Contact<2>>, double, Mechanism<2>);

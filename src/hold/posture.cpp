@@ -71,7 +71,7 @@ Manner manner(const Hand<Dim>& hand, const Load<Dim>& load, const Vector<Dim>& u
               const Hold<Dim>& hold) {
   const std::vector<FingerForce<Dim>> fingers = finger_forces(hand, hold);
   const auto loaded = std::count_if(fingers.begin(), fingers.end(), [&](const auto& finger) {
-    return finger.normal > at_limit * load.weight;
+    return finger.normal > at_limit * load.size(hand.length());
   });
   if (loaded <= 1) return Manner::resting;
   const bool needs_no_friction =

@@ -214,14 +214,15 @@ template <int Dim>
 Hold<Dim> solve(const Hand<Dim>& hand, const ScaledHand<Dim>& contacts, double friction_factor,
                 const Load<Dim>& load, const Vector<Dim>& up, const HoldSettings& settings) {
   check_up<Dim>(up);
+  const double unit = load.size(hand.length());
   if (hand.is_general())
-    return general_hold(hand, friction_factor, load.at(up), load.weight, settings);
-  const dual::Problem<Dim> problem(contacts, load.weight);
+    return general_hold(hand, friction_factor, load.at(up), unit, settings);
+  const dual::Problem<Dim> problem(contacts, unit);
   const Wrench<Dim> w = scaled_load<Dim>(problem.hand, problem.weight, load, up);
   Hold<Dim> hold = solve(problem, w, dual::cold_start(problem, w), settings);
-  write_exact_proof(hand, load.at(up), load.weight, settings.force_cap, hold, friction_factor);
-  const double length = hold.dual.template head<Dim>().norm() / load.weight;
-  if (hold.holdable && length * load.weight * load.weight > long_y * hold.effort)
+  write_exact_proof(hand, load.at(up), unit, settings.force_cap, hold, friction_factor);
+  const double length = hold.dual.template head<Dim>().norm() / unit;
+  if (hold.holdable && length * unit * unit > long_y * hold.effort)
     hold.lower_bound =
         std::min(static_cast<double>(dual::bound<Dim>(hand, load, up, hold.dual, friction_factor)),
                  hold.effort);

@@ -38,9 +38,9 @@ bool invert(const dual::Square<2, T>& M, dual::Square<2, T>& inverse) {
 }  // namespace
 
 LoadCurve load_curve(const ScaledHand<2>& hand, double weight, const Load<2>& load) {
-  const Load<2> turning{.weight = load.weight, .com = load.com};
+  const Load<2> turning{.weight = load.turning(), .com = load.com};
   LoadCurve curve;
-  curve << scaled_wrench(hand, weight, load.fixed),
+  curve << scaled_wrench(hand, weight, load.still()),
       scaled_load<2>(hand, weight, turning, Vector<2>::UnitY()),
       scaled_load<2>(hand, weight, turning, Vector<2>::UnitX());
   return curve;

@@ -62,7 +62,7 @@ double proven_between(const dual::Problem<2>& problem, const LoadCurve& load, co
 class ProvenEffort {
  public:
   explicit ProvenEffort(const Grasp<2>& grasp)
-      : problem_(grasp.scaled(), grasp.weight()),
+      : problem_(grasp.scaled(), grasp.size()),
         load_(load_curve(problem_.hand, problem_.weight, grasp.loads().front())) {}
 
   double at(const Arc& arc, double theta) const {
@@ -87,7 +87,7 @@ class ProvenEffort {
 class ProvenGrip {
  public:
   ProvenGrip(const Grasp<2>& grasp, double force_cap)
-      : grasp_(grasp), cap_(force_cap * grasp.weight()) {}
+      : grasp_(grasp), cap_(force_cap * grasp.size()) {}
 
   double at(const Arc& arc, double theta) const {
     SmallVector<double, 4> rates(arc.rates->size());

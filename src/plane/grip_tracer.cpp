@@ -22,7 +22,7 @@ class GripTracer {
  public:
   GripTracer(const Grasp<2>& grasp, const CurveSettings& settings, PostureCurve& curve)
       : hand_(grasp.scaled()),
-        weight_(grasp.weight()),
+        weight_(grasp.size()),
         unit_(scaled_grip<2>(grasp, weight_)),
         most_(most_grip<2>(grasp) / unit_),
         cap_(settings.force_cap),

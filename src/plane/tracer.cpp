@@ -19,7 +19,7 @@ using std::numbers::pi;
 class Tracer {
  public:
   Tracer(const Grasp<2>& grasp, const CurveSettings& settings)
-      : problem_(grasp.scaled(), grasp.weight()),
+      : problem_(grasp.scaled(), grasp.size()),
         load_(load_curve(problem_.hand, problem_.weight, grasp.loads().front())),
         cap_(settings.force_cap),
         point_(problem_.size),

@@ -106,12 +106,13 @@ Posture<3> posture(const Task& task, const Vector<3>& up, const Twist<3>& y) {
   std::vector<Hold<3>> holds;
   for (std::size_t k = 0; k < task.loads.size(); ++k) {
     const Load<3>& load = task.grasp.loads()[k];
+    const double unit = load.size(task.grasp.length());
     const HoldSettings settings{task.loads[k].cap, task.settings.objective};
     holds.push_back(hold(task.grasp, load, up, settings));
     // At the border of what can be held rounding may decide.
     if (!holds.back().holdable)
-      holds.back() = hold<3>(task.grasp, load.at(up), load.weight,
-                             about_origin(task.grasp.scaled(), load.weight, y), settings);
+      holds.back() = hold<3>(task.grasp, load.at(up), unit,
+                             about_origin(task.grasp.scaled(), unit, y), settings);
   }
   return posture_of(task.grasp, up, std::move(holds));
 }

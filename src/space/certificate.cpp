@@ -41,7 +41,7 @@ Exact Claim::most_power(const Cut& cut) const {
   if (settings.objective == Objective::grip) {
     const bool in_parts = grip_unit<3>(grasp) == GripUnit::part_of_max;
     return sum * t - dual::grip_bound<3>(grasp, none, cut.y, rates, in_parts,
-                                         settings.force_cap * grasp.weight());
+                                         settings.force_cap * grasp.size());
   }
   if (count > 0) return t / 2 - dual::effort_bound<3>(grasp, none, cut.y, rates, 1) / 2;
   const Exact phi = dual::phi<3>(grasp, cut.y);
@@ -55,12 +55,14 @@ Plane left_by(const Claim& claim, const Cut& cut) {
   const Grasp<3>& grasp = claim.grasp;
   const Load<3>& load = grasp.loads()[cut.load];
   const Eigen::Matrix<Exact, 3, 1> v = dual::velocity<3>(cut.y, load.com);
-  const Exact speed = load.weight * v.norm();
+  const Exact speed = std::abs(load.turning()) * v.norm();
   const Exact size = grasp.radius() + (load.com - grasp.center()).norm();
-  const Exact slack = dual::delta * load.weight * (v.norm() + size * cut.y.tail<3>().norm());
-  const Exact fixed = cut.y.cast<Exact>().dot(load.fixed.cast<Exact>());
+  const Exact slack = dual::delta * load.size(grasp.length()) * (v.norm() + size * cut.y.tail<3>().norm());
+  const Exact fixed = cut.y.cast<Exact>().dot(load.still().cast<Exact>());
   const Exact b = claim.most_power(cut) - fixed;
-  return {(v / v.norm()).cast<double>(), static_cast<double>((b + slack) / speed)};
+  if (!(speed > 0)) return {Vector<3>::Zero(), static_cast<double>(b + slack)};
+  const double side = load.turning() < 0 ? -1 : 1;
+  return {(v / v.norm()).cast<double>() * side, static_cast<double>((b + slack) / speed)};
 }
 
 /// What cuts leave of the loads x that need at most t, in a cube around the unit sphere.
@@ -116,7 +118,7 @@ double proven_bound(const Grasp<3>& grasp, const std::vector<Cut>& cuts, const O
                     const SpatialSettings& settings, double claimed) {
   const bool is_grip = settings.objective == Objective::grip;
   const bool is_long = std::any_of(cuts.begin(), cuts.end(), [&](const Cut& cut) {
-    return cut.y.cwiseAbs().maxCoeff() > longest_trusted_y * grasp.loads()[cut.load].weight;
+    return cut.y.cwiseAbs().maxCoeff() > longest_trusted_y * grasp.loads()[cut.load].size(grasp.length());
   });
   if (!is_long && !is_grip && !grasp.is_general()) return claimed;
   const Exact unit = oracle.unit;

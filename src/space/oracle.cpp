@@ -28,6 +28,17 @@ constexpr double most_error = 1e-8, most_grip_error = 1e-6;
 /// A longer y, about the object frame's origin [weights], rounds y . w.
 constexpr double longest_y = 1e13;
 
+/// Of a load that does not turn the normal is 0: its half-space is all of space, or nothing.
+struct Direction {
+  Vector<3> normal;
+  double speed;
+};
+Direction direction(const Vector<3>& v) {
+  const double speed = v.norm();
+  if (speed > 1e-300) return {v / speed, speed};
+  return {Vector<3>::Zero(), 1};
+}
+
 /// phi(G^T y), and what rounding of G^T y may hide of it: a cut must not be deeper than it is.
 double phi_rounded_up(const dual::Point<3>& point, bool is_gauge) {
   double power = 0, squared = 0, contacts = 0;
@@ -79,20 +90,21 @@ bool needs_at_least(double least, double proven, const dual::Problem<3>& problem
 
 }  // namespace
 
-ScaledLoad::ScaledLoad(const ScaledHand<3>& hand, const Load<3>& load, double heaviest,
+ScaledLoad::ScaledLoad(const ScaledHand<3>& hand, const Load<3>& load, double largest,
                        double force_cap)
-    : problem(hand, load.weight),
+    : problem(hand, load.size(hand.length)),
       arm((load.com - hand.center) * hand.per_length),
-      fixed(scaled_wrench(hand, load.weight, load.fixed)),
-      weight(load.weight / heaviest),
-      unit(weight * weight),
-      cap(std::min(force_cap / weight, 1e9)) {}  // the most that a hold takes
+      turning(load.turning() / problem.weight),
+      still(scaled_wrench(hand, problem.weight, load.still())),
+      size(problem.weight / largest),
+      unit(size * size),
+      cap(std::min(force_cap / size, 1e9)) {}  // the most that a hold takes
 
 std::vector<ScaledLoad> scaled_loads(const Grasp<3>& grasp, const ScaledHand<3>& hand,
                                      double force_cap) {
   std::vector<ScaledLoad> loads;
   for (const Load<3>& load : grasp.loads())
-    loads.emplace_back(hand, load, grasp.weight(), force_cap);
+    loads.emplace_back(hand, load, grasp.size(), force_cap);
   return loads;
 }
 
@@ -107,38 +119,38 @@ const HalfSpace* nearest_held(const Vector<3>& x, const Corner& corner) {
 
 Oracle::Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads, Objective objective)
     : is_gauge(!loads.front().problem.limited),
-      unit(grasp.weight()),
+      unit(grasp.size()),
       candidates(on_one_contact(grasp)),
       grasp_(grasp),
       loads_(loads),
       objective_(objective) {
-  bool is_fixed = false;
+  bool is_still = false;
   double cap = 0;
   for (const Contact<3>& contact : grasp.contacts()) shares_ += contact.share;
   for (std::size_t s = 0; s < loads.size(); ++s) {
-    is_fixed = is_fixed || !loads[s].fixed.isZero(0);
-    cap = std::max(cap, loads[s].cap * loads[s].weight);
-    if (loads[s].weight == 1) heaviest_ = s;
+    is_still = is_still || !loads[s].still.isZero(0);
+    cap = std::max(cap, loads[s].cap * loads[s].size);
+    if (loads[s].size == 1) largest_ = s;
   }
-  is_gauge = scales = is_gauge && !is_fixed;
+  is_gauge = scales = is_gauge && !is_still;
   most = cap * cap;
   if (is_grip() || grasp.is_general()) {
     is_gauge = false;
     for (const auto& drive : grasp.driven().drives)
       scales = scales && (is_grip() || !std::isfinite(drive.max));
-    if (is_grip()) unit = scaled_grip(grasp, grasp.weight());
+    if (is_grip()) unit = scaled_grip(grasp, grasp.size());
     if (is_grip()) most = std::min(most, std::pow(most_grip(grasp) / unit, 2));
     for (const Load<3>& load : grasp.loads())
       cones_.push_back(
-          cone_hand(grasp, load.weight, is_grip() ? dual::Wanted::grip : dual::Wanted::effort));
+          cone_hand(grasp, load.size(grasp.length()), is_grip() ? dual::Wanted::grip : dual::Wanted::effort));
   }
   // |f| >= W / sqrt(sum share), by y = t e_k, where forces add up to the weight.
-  if (!is_fixed && !is_grip()) least = 1 / shares_;
+  if (!is_still && !is_grip()) least = 1 / shares_;
   for (std::size_t s = 0; s < loads.size(); ++s)
     for (const Twist<3>& twist : loads[s].problem.hand.unfelt) {
       const Vector<3> v = loads[s].velocity(twist);
       if (!(v.norm() > no_motion)) continue;
-      if (loads[s].fixed.isZero(0)) thin.push_back({v.normalized(), 0});
+      if (loads[s].still.isZero(0)) thin.push_back({v.normalized(), 0});
       const double most_length = is_gauge || is_grip() ? endless : endless_of_cap;
       for (const double length : {most_length, -most_length})
         unresisted.push_back(adopted({.load = s, .y = length * twist}));
@@ -162,10 +174,10 @@ bool Oracle::quick_grip(std::size_t s, const Vector<3>& x, Answer& answer) const
     if (!driven.alike || !dual::refute(load.problem, driven, w, load.cap, found)) return false;
   }
   HalfSpace& cut = answer.half_space = general_half_space(s, found.y, x);
-  const double times = scaled_grip(grasp_, grasp_.loads()[s].weight) / unit;
+  const double times = scaled_grip(grasp_, load.problem.weight) / unit;
   cut.rates.assign(found.rates.begin(), found.rates.end());
   for (const double rate : found.rates) cut.rate_sum += rate / times;
-  cut.phi = found.fixed - found.y.dot(load.fixed);
+  cut.phi = found.fixed - found.y.dot(load.still);
   answer.value = std::pow(found.value * times, 2);
   return true;
 }
@@ -199,13 +211,13 @@ Answer Oracle::answer_by_interior(std::size_t s, const Vector<3>& x, double targ
   double value = infinity;
   if (is_grip()) {
     const dual::GripCut<3> proof = dual::grip_cut(cones, found, load.cap);
-    const double times = scaled_grip(grasp_, grasp_.loads()[s].weight) / unit;
+    const double times = scaled_grip(grasp_, load.problem.weight) / unit;
     cut.rates = proof.rates;
     cut.rate_sum = proof.rate_sum / times;  // F in the oracle's unit
-    cut.phi = proof.fixed - proof.y.dot(load.fixed);
+    cut.phi = proof.fixed - proof.y.dot(load.still);
     if (is_held) value = std::pow(found.value * times, 2);
   } else {
-    const Load<3>& given = grasp_.loads()[s];
+    const double size = load.problem.weight;
     const auto& drives = grasp_.driven().drives;
     cut.rates.resize(drives.size());
     dual::Rates rates(drives.size());
@@ -214,14 +226,14 @@ Answer Oracle::answer_by_interior(std::size_t s, const Vector<3>& x, double targ
       cut.rates[a] = 0;
       if (!std::isfinite(drives[a].max)) continue;
       const double per_length = drives[a].turns ? load.problem.hand.per_length : 1;
-      cut.rates[a] = found.rates[limited++] * given.weight * per_length;
+      cut.rates[a] = found.rates[limited++] * size * per_length;
     }
     const Wrench<3> none = Wrench<3>::Zero();
     const auto phi = [&](double times) {
-      const Twist<3> y = about_origin(load.problem.hand, given.weight, times * found.y);
+      const Twist<3> y = about_origin(load.problem.hand, size, times * found.y);
       for (std::size_t a = 0; a < rates.size(); ++a) rates[a] = times * cut.rates[a];
       return -static_cast<double>(dual::effort_bound<3>(grasp_, none, y, rates, 1)) /
-             (2 * given.weight * given.weight);
+             (2 * size * size);
     };
     // Where nothing holds (y, rates) are a direction: as long as they cut deepest.
     double times = 1;
@@ -238,7 +250,7 @@ Answer Oracle::answer_by_interior(std::size_t s, const Vector<3>& x, double targ
     }
     cut.y *= times;
     cut.speed *= times;
-    cut.phi = phi(times) - cut.y.dot(load.fixed);
+    cut.phi = phi(times) - cut.y.dot(load.still);
     for (double& rate : cut.rates) rate *= times;
     if (is_held) value = 2 * found.value * load.unit;
   }
@@ -247,9 +259,8 @@ Answer Oracle::answer_by_interior(std::size_t s, const Vector<3>& x, double targ
 
 HalfSpace Oracle::general_half_space(std::size_t load, const Twist<3>& y,
                                      const Vector<3>& x) const {
-  const Vector<3> v = loads_[load].velocity(y);
-  const double speed = v.norm();
-  return {.normal = v / speed, .x = x, .load = load, .y = y, .speed = speed};
+  const auto [normal, speed] = direction(loads_[load].velocity(y));
+  return {.normal = normal, .x = x, .load = load, .y = y, .speed = speed};
 }
 
 Answer Oracle::evaluate(const Vector<3>& x, const Aim& aim) {
@@ -321,10 +332,9 @@ void Oracle::deepen(const ScaledLoad& load, const Wrench<3>& w, double t,
 
 HalfSpace Oracle::half_space(const dual::Point<3>& point, std::size_t load, const Vector<3>& x,
                              HalfSpace::Origin origin) const {
-  const Vector<3> v = loads_[load].velocity(point.y);
-  const double speed = v.norm();
-  const double phi = phi_rounded_up(point, is_gauge) - point.y.dot(loads_[load].fixed);
-  return {origin, v / speed, x, load, point.y, speed, phi};
+  const auto [normal, speed] = direction(loads_[load].velocity(point.y));
+  const double phi = phi_rounded_up(point, is_gauge) - point.y.dot(loads_[load].still);
+  return {origin, normal, x, load, point.y, speed, phi};
 }
 
 /// Where the root of the effort is a gauge y may be as long as is best for a cut; not so long that
@@ -339,7 +349,6 @@ double Oracle::stretch(const HalfSpace& half_space, double half) const {
 
 double Oracle::offset(const HalfSpace& half_space, double t) const {
   if (half_space.origin == HalfSpace::Origin::domain) return 0;
-  if (!(half_space.speed > 1e-300)) return infinity;  // no direction
   if (is_grip()) {
     const double rounding = (dual::delta + 1e-15) * dual::dual_norm<3, double>(half_space.y);
     return (half_space.rate_sum * std::sqrt(t) + half_space.phi + rounding) / half_space.speed;
@@ -429,7 +438,7 @@ Cut Oracle::cut(const HalfSpace& half_space, double t) const {
 Cut Oracle::side_of_cube(int side, double t) const {
   Twist<3> y = Twist<3>::Zero();
   y[side / 2] = (side % 2 == 0 ? 1 : -1) * std::sqrt(t / shares_);
-  return cut_by(heaviest_, y);
+  return cut_by(largest_, y);
 }
 
 }  // namespace poise::search

@@ -18,28 +18,29 @@ namespace poise::search {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A load in the units of the search: efforts in squared weights of the heaviest. As a function of
-/// x, the posture or any other vector, it is w(x) = (x, arm x x) + fixed in its own weights.
+/// A load in the units of the search: efforts in squares of the largest load's size. As a function
+/// of x, the posture or any other vector, it is w(x) = turning (x, arm x x) + still in its own size.
 struct ScaledLoad {
-  ScaledLoad(const ScaledHand<3>& hand, const Load<3>& load, double heaviest, double force_cap);
+  ScaledLoad(const ScaledHand<3>& hand, const Load<3>& load, double largest, double force_cap);
 
   Wrench<3> at(const Vector<3>& x) const {
-    Wrench<3> w = fixed;
-    w.head<3>() += x;
-    w.tail<3>() += arm.cross(x);
+    Wrench<3> w = still;
+    w.head<3>() += turning * x;
+    w.tail<3>() += turning * arm.cross(x);
     return w;
   }
-  /// The velocity under y of the point where the weight acts.
+  /// What x does against y: its product with this.
   Vector<3> velocity(const Twist<3>& y) const {
-    return y.head<3>() + Vector<3>(y.tail<3>()).cross(arm);
+    return turning * (y.head<3>() + Vector<3>(y.tail<3>()).cross(arm));
   }
 
   dual::Problem<3> problem;
   Vector<3> arm;    ///< from the hand's center to the com, in radii
-  Wrench<3> fixed;  ///< in its own weights
-  double weight;    ///< in weights of the heaviest
-  double unit;      ///< weight^2: of its efforts
-  double cap;       ///< in its own weights
+  double turning;   ///< what turns with x, in its own size
+  Wrench<3> still;  ///< what does not, in its own size
+  double size;      ///< in that of the largest
+  double unit;      ///< size^2: of its efforts
+  double cap;       ///< in its own size
 };
 std::vector<ScaledLoad> scaled_loads(const Grasp<3>& grasp, const ScaledHand<3>& hand,
                                      double force_cap);
@@ -54,13 +55,13 @@ struct HalfSpace {
   Origin origin{Origin::unholdable};
   Vector<3> normal = Vector<3>::Zero();  ///< of length 1
   Vector<3> x = Vector<3>::Zero();       ///< what was asked when it was found
-  // For the oracle: effort >= weight^2 2 (speed normal . x - phi) for the load.
+  // For the oracle: effort >= size^2 2 (speed normal . x - phi) for the load.
   std::size_t load{0};
   Twist<3> y = Twist<3>::Zero();  ///< about the center, in the solver's units
-  double speed{0};                ///< of the point where the weight acts, under y
-  double phi{0};                  ///< phi(G^T y) - y . fixed
+  double speed{0};                ///< the length of the load's velocity(y)
+  double phi{0};                  ///< phi(G^T y) - y . still
   /// Of a general oracle the rates of the drives; to the grip phi is what contacts with limits can
-  /// do: rate_sum grip >= weight (speed normal . x - phi).
+  /// do: rate_sum grip >= size (speed normal . x - phi).
   std::vector<double> rates{};
   double rate_sum{0};
 };
@@ -150,7 +151,7 @@ class Oracle {
   Objective objective_;
   std::vector<dual::ConeHand<3>> cones_;  ///< of a general oracle, in units of each load
   double shares_{0};
-  std::size_t heaviest_{0};
+  std::size_t largest_{0};
   int contradicted_{0};  ///< holds that turned out to be none
 };
 

@@ -102,7 +102,7 @@ HalfSpace half_space(const RealGrasp& grasp, const RealLoad& load, const Cut& cu
     Real sum = 0;
     for (const Real rate : rates) sum += rate;
     const Real limits =
-        -grip_bound(grasp, none, y, rates, options.force_cap * grasp.greatest_weight());
+        -grip_bound(grasp, none, y, rates, options.force_cap * grasp.greatest_size());
     return {v.head<3>() / v.norm(), (sum * t + limits - y.dot(load.fixed) + slack) / v.norm()};
   }
   if (!rates.empty()) {
@@ -138,7 +138,7 @@ std::optional<HalfSpace> check_cut(Verdict& verdict, const Path& place, const Re
 }
 
 Real most_held(const RealGrasp& grasp, const OptionsClaim& options) {
-  const Real cap = options.force_cap * grasp.greatest_weight();
+  const Real cap = options.force_cap * grasp.greatest_size();
   if (options.objective != Objective::grip) return cap * cap;
   Real most = cap;
   for (const RealDrive& drive : grasp.drives) {
@@ -162,7 +162,7 @@ void check_cuts(Verdict& verdict, const RealGrasp& grasp, const std::vector<Cut>
   for (const RealContact& contact : grasp.contacts) shares += contact.share;
   const Real alone = options.objective == Objective::grip
                          ? std::numeric_limits<Real>::infinity()
-                         : std::sqrt(least * shares) / grasp.greatest_weight();
+                         : std::sqrt(least * shares) / grasp.greatest_size();
   verdict.check(list, words, std::min({left.farthest, 1 / left.nearest, alone}), 1 + 1e-6L);
 }
 

@@ -219,7 +219,7 @@ void check_other(Verdict& verdict, const Path& place, std::size_t k, const RealG
     verdict.check(of_effort, "no scenario needs more than the one that decides",
                   *effort / value(hold), 1 + 1e-9L);
   if (none || !other) return;
-  const Real cap = force_cap * grasp.greatest_weight() / grasp.loads[k].weight;
+  const Real cap = force_cap * grasp.greatest_size() / grasp.loads[k].weight;
   // In the best posture of all loads this one may be at the limit of what can be held.
   check_least_hold(verdict, of_hold, with_load(grasp, grasp.loads[k]), *other, cap, true);
   verdict.check(of_hold, "is a hold, in the same posture",
@@ -276,7 +276,7 @@ Real little(const RealGrasp& grasp, std::optional<Objective> objective) {
   Real least = infinity;
   for (const RealDrive& drive : grasp.drives) {
     const Real length = drive.turns ? grasp.loads.front().radius : 1;
-    least = std::min(least, grasp.greatest_weight() * length / grasp.unit(drive));
+    least = std::min(least, grasp.greatest_size() * length / grasp.unit(drive));
   }
   return 1e-3L * least;
 }
@@ -316,7 +316,7 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
     // The cap is one of the least effort: forces of least grip may need more.
     if (hold.objective != Objective::grip)
       verdict.check(place, "force_norm is within the force cap",
-                    std::sqrt(Real{hold.effort}) / (force_cap * grasp.greatest_weight()),
+                    std::sqrt(Real{hold.effort}) / (force_cap * grasp.greatest_size()),
                     1 + 1e-6L);
     return;
   }

@@ -271,7 +271,7 @@ void add_pad(const Pad& given, RealContact& contact) {
 
 }  // namespace
 
-Real RealGrasp::greatest_weight() const {
+Real RealGrasp::greatest_size() const {
   Real greatest = 0;
   for (const RealLoad& load : loads) greatest = std::max(greatest, load.weight);
   return greatest;

@@ -90,7 +90,7 @@ struct RealGrasp {
   /// What the grip counts of a drive's effort as 1.
   Real unit(const RealDrive& drive) const { return in_parts ? drive.max : 1; }
 
-  Real greatest_weight() const;
+  Real greatest_size() const;
 };
 
 template <int Dim>

@@ -49,7 +49,7 @@ class Judge {
   }
 
   void judge(const Hold<2>& hold, double at) const {
-    const double cap = task_.settings.force_cap * grasp_.weight();
+    const double cap = task_.settings.force_cap * grasp_.size();
     demand(hold.dual.allFinite(), "hold: dual is finite", at);
     demand(std::isfinite(hold.lower_bound), "hold: lower_bound is finite", at);
     demand(std::isfinite(hold.effort) && hold.effort >= 0, "hold: effort is finite", at);

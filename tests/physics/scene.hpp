@@ -38,7 +38,7 @@ class Scene {
     mj_deleteVFS(&files);
     if (!model_) throw std::runtime_error(std::string(problem) + "\n" + xml);
     data_.reset(mj_makeData(model_.get()));
-    const Vector<3> weight = -grasp.weight() * up;
+    const Vector<3> weight = -grasp.size() * up;
     for (int k = 0; k < 3; ++k) data_->xfrc_applied[6 * object + k] = weight[k];
     for (std::size_t k = 0, motor = 0; k < normal_forces.size(); ++k)
       if (presses(normal_forces[k])) data_->ctrl[motor++] = normal_forces[k];
@@ -78,11 +78,11 @@ class Scene {
     return out.str();
   }
 
-  bool presses(double normal_force) const { return normal_force > 1e-9 * grasp_.weight(); }
+  bool presses(double normal_force) const { return normal_force > 1e-9 * grasp_.size(); }
 
   std::string document(const std::vector<double>& normal_forces, double friction) const {
     const Vector<3> com = grasp_.center();
-    const double mass = grasp_.weight() / gravity;
+    const double mass = grasp_.size() / gravity;
     const double inertia = 0.4 * mass * grasp_.radius() * grasp_.radius();
     std::ostringstream pads, fingers, pairs, motors;
     for (std::ostringstream* out : {&pads, &fingers, &pairs, &motors}) out->precision(17);

@@ -81,7 +81,7 @@ void label_fingers(Script& script, const Scene& scene, const Arrows& arrows, dou
     const double middle = outward.y() > 0.5 ? 0.9 : outward.y() < -0.5 ? -0.5 : 0.1;
     label(script, quoted(scene.grasp.fingers()[k], 10), at, where, middle + 0.5, "black");
     const double force = fingers[k].force.norm();
-    const bool loaded = force > 1e-9 * scene.grasp.weight();
+    const bool loaded = force > 1e-9 * scene.grasp.size();
     if (scene.hold)
       label(script, quoted(newtons(loaded ? force : 0), 20), at, where, middle - 0.5, force_colour);
   }
@@ -92,7 +92,7 @@ void label_fingers(Script& script, const Scene& scene, const Arrows& arrows, dou
 void draw_object(Script& script, const std::optional<Shape>& shape, const Scene& scene,
                  const Minimum<2>* posture, double aspect) {
   const auto& contacts = scene.grasp.contacts();
-  const double weight = scene.grasp.weight();
+  const double weight = scene.grasp.size();
   std::vector<Vector<2>> line;
   if (shape)
     for (const Vector<2>& point : outline(*shape)) line.push_back(scene.placed(point));
