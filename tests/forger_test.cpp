@@ -44,7 +44,7 @@ PlanarFile random_planar_file() {
   return file;
 }
 
-/// Now and then with a second scenario, or a tilt.
+/// Now and then with a second load, or a tilt.
 SpatialFile random_spatial_file() {
   const auto held = one_in(6) ? *space::nearly_unholdable()
                               : *space::grasps({.least_contacts = 2,
@@ -342,7 +342,7 @@ std::vector<std::string> changes(const Json& document, Json forged,
     // Optima lie where friction begins to be needed: there both manners are right.
     const bool at_fork = path.ends_with("manner") && document["options"].contains("domain");
     // Of two loads that cannot be held either decides.
-    const bool is_either = path == "scenario" && document["holdable"] == false;
+    const bool is_either = path == "load" && document["holdable"] == false;
     if (!at_fork && !claims_less(document, forged, path) && !is_either &&
         std::none_of(unchecked.begin(), unchecked.end(), names))
       changed.push_back(path);
