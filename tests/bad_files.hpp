@@ -331,7 +331,7 @@ inline const std::vector<BadFile> bad_files{
      "object: {mass: -1, com: [0, 0]}\n"
      "contacts:\n"
      "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
-     "3:16: object.mass: is -1, must be above 0"},
+     "3:16: object.mass: is -1, must be at least 0"},
     {"neither com nor shape",
      "poise: 1\n"
      "dimension: 2\n"
@@ -373,7 +373,7 @@ inline const std::vector<BadFile> bad_files{
      "object: {scenarios: [{weight: 1, com: [0, 0]}]}\n"
      "contacts:\n"
      "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
-     "3:10: object.scenarios: is not known any more, must be `loads` of the file: a list of {name, "
+     "3:21: object.scenarios: is not known any more, must be `loads` of the file: a list of {name, "
      "mass, com}"},
     // The shape.
     {"unknown shape",
@@ -874,7 +874,7 @@ inline const std::vector<BadFile> bad_files{
      "loads: [{weight: 1, mass: 1}]\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "4:22: loads[0].mass: is given as well as weight, must be one of them"},
+     "4:27: loads[0].mass: is given as well as weight, must be one of them"},
     {"a place without a force",
      "poise: 1\n"
      "dimension: 3\n"
@@ -890,7 +890,7 @@ inline const std::vector<BadFile> bad_files{
      "loads: [{moment: 1}]\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "4:18: loads[0].moment: is a number, must be [x, y, z]"},
+     "4:18: loads[0].moment: is 1, must be [x, y, z]"},
     {"an acceleration without a number",
      "poise: 1\n"
      "dimension: 3\n"
@@ -914,7 +914,7 @@ inline const std::vector<BadFile> bad_files{
      "loads: [{acceleration: {down: 3}}]\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "4:25: loads[0].acceleration.down: is not a known key, must be up, any or fixed"},
+     "4:25: loads[0].acceleration.down: is not a known key, the nearest is up"},
     {"an acceleration of nothing",
      "poise: 1\n"
      "dimension: 3\n"
@@ -922,7 +922,7 @@ inline const std::vector<BadFile> bad_files{
      "loads: [{acceleration: {any: 1}, force: [1, 0, 0]}]\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "4:10: loads[0].acceleration: is of an object without mass, must be left out"},
+     "4:24: loads[0].acceleration: is of an object without mass, must be left out"},
     {"shape of the plane",
      "poise: 1\n"
      "dimension: 3\n"

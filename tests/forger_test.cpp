@@ -60,6 +60,13 @@ SpatialFile random_spatial_file() {
     other.com += 0.2 * space::random_direction();
     file.loads.push_back(other);
   }
+  // Now and then something acts besides the weight.
+  for (Load<3>& load : file.loads) {
+    if (one_in(6)) load.lift = real(-3, 5);
+    if (one_in(6)) load.acceleration = real(0, 5) * space::random_direction();
+    if (one_in(6)) load.fixed.head<3>() = 0.3 * load.weight * space::random_direction();
+    if (one_in(8)) load.fixed.tail<3>() = 0.1 * load.weight * space::random_direction();
+  }
   if (one_in(2)) file.up = space::random_direction();
   if (one_in(3)) file.tilt = Tilt{space::random_direction(), real(0, pi / 2)};
   return file;

@@ -201,9 +201,6 @@ std::vector<std::string> load_paths(const Field& root) {
 template <int Dim>
 std::vector<Load<Dim>> read_loads(const Field& root, const Field& object, double unit,
                                   const std::optional<ShapeOf<Dim>>& shape) {
-  if (const auto scenarios = object.find("scenarios"))
-    scenarios->fail(
-        "is not known any more, must be `loads` of the file: a list of {name, mass, com}");
   const Body<Dim> own = read_body<Dim>(object, unit, shape);
   const auto list = root.find("loads");
   if (!list) return {complete<Dim>(object, own, {}, shape)};
