@@ -537,7 +537,7 @@ inline const std::vector<BadFile> bad_files{
      "object: {weight: 10, com: [0, 0]}\n"
      "contacts: [1]\n",
      "4:12: contacts[0]: is 1, must be a mapping (keys: position, normal, friction, min_normal, "
-     "max_normal, share, finger, pad)"},
+     "max_normal, share, finger, pad, adhesion)"},
     {"no position",
      "poise: 1\n"
      "dimension: 2\n"
@@ -1086,8 +1086,8 @@ inline const std::vector<BadFile> bad_files{
      "poise: 1\n"
      "dimension: 3\n"
      "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
-     "gripper: {type: suction}\n",
-     "4:17: gripper.type: is \"suction\", must be parallel_jaw, fingertips or suction"},
+     "gripper: {type: magnet}\n",
+     "4:17: gripper.type: is \"magnet\", must be parallel_jaw, fingertips or suction"},
     {"gripper nowhere",
      "poise: 1\n"
      "dimension: 3\n"

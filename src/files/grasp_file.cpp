@@ -158,7 +158,10 @@ Contact<Dim> read_contact(const Field& field, double unit, bool outward,
                           const std::optional<ShapeOf<Dim>>& shape) {
   Keys of_plane = contact_keys<2>();
   of_plane.emplace_back("pad");
-  check_keys<Dim>(field, {"adhesion"}, of_plane, contact_keys<3>());
+  of_plane.emplace_back("adhesion");
+  Keys of_space = contact_keys<3>();
+  of_space.emplace_back("adhesion");
+  check_keys<Dim>(field, {}, of_plane, of_space);
   const Field position = field.get("position", coordinates<Dim>);
   field.get("friction", "a number");
   Contact<Dim> contact;
