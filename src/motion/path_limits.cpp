@@ -139,7 +139,7 @@ class Search {
 
   void refine() {
     start(-below * inside_.y());
-    while (rows_.size() < most_rows) {
+    for (std::size_t looks = 0; looks < 2 * most_rows && rows_.size() < most_rows; ++looks) {
       const Corners inner = hull(held_);
       shrunk_ = 1;
       const Vector<2>* worst = nullptr;
