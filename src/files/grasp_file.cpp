@@ -237,8 +237,10 @@ void read_head(const Field& root, CommonFile<Dim>& file) {
 template <int Dim>
 Field read_shape_of_object(const Field& root, double unit, CommonFile<Dim>& file) {
   const Field object = root.get("object", "a mapping");
-  check_keys<Dim>(object, {"weight", "mass", "com", "shape", "scenarios"}, {},
-                  {"density", "inertial"});
+  if (const auto scenarios = object.find("scenarios"))
+    scenarios->fail(
+        "is not known any more, must be `loads` of the file: a list of {name, mass, com}");
+  check_keys<Dim>(object, {"weight", "mass", "com", "shape"}, {}, {"density", "inertial"});
   if (const auto shape = object.find("shape"))
     file.shape = read_shape<Dim>(*shape, unit, file.warnings);
   return object;

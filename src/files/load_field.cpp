@@ -37,40 +37,58 @@ double read_weight(const Field& object, const std::optional<ShapeOf<Dim>>& shape
         density->fail("needs a volume, but " + why + ": give weight or mass");
       return density->above_zero() * volume(*shape) * standard_gravity;
     }
-  if (mass) return mass->at_least_zero() * standard_gravity;
-  return object.get("weight", "a force [N], or give mass [kg]").number();
+  return mass ? mass->at_least_zero() * standard_gravity : weight->number();
 }
 
-/// Weight and centre of mass. `otherwise`: of a load of the list, the object's.
+/// What loads take from the object where they do not say it themselves.
 template <int Dim>
-Load<Dim> read_body(const Field& field, double unit, const std::optional<ShapeOf<Dim>>& shape,
-                    const Load<Dim>* otherwise = nullptr) {
-  Load<Dim> load = otherwise ? *otherwise : Load<Dim>{};
-  std::optional<Inertial> link;
+struct Body {
+  std::optional<double> weight{};  ///< [N]
+  std::optional<Vector<Dim>> com{};
+};
+
+template <int Dim>
+std::optional<double> find_weight(const Field& field, const std::optional<ShapeOf<Dim>>& shape) {
+  if (!field.find("weight") && !field.find("mass") && !field.find("density")) return {};
+  return read_weight<Dim>(field, shape);
+}
+
+/// As far as it is said; the com may be the shape's centroid.
+template <int Dim>
+Body<Dim> read_body(const Field& field, double unit, const std::optional<ShapeOf<Dim>>& shape) {
+  Body<Dim> body;
   if constexpr (Dim == 3)
     if (const auto inertial = field.find("inertial")) {
       for (const char* key : {"weight", "mass", "density", "com"})
         if (const auto other = field.find(key))
           other->fail("is given as well as inertial, must be one of them");
-      link = read_inertial(*inertial);
-      load.com = link->com;
+      const Inertial link = read_inertial(*inertial);
+      body = {link.mass * standard_gravity, link.com};
     }
-  const bool says = field.find("weight") || field.find("mass") || field.find("density");
-  if (link)
-    load.weight = link->mass * standard_gravity;
-  else if (says || !otherwise)
-    load.weight = read_weight<Dim>(field, shape);
-  if (!(load.weight >= 0) || !std::isfinite(load.weight * load.weight))
+  if (!body.weight) body.weight = find_weight<Dim>(field, shape);
+  if (body.weight && (!(*body.weight >= 0) || !std::isfinite(*body.weight * *body.weight)))
     throw FileError(field.file(), field.follow("weight").place(), field.path() + ".weight",
-                    "is " + number_text(load.weight) + ", must be at least 0");
-  if (link) return load;
+                    "is " + number_text(*body.weight) + ", must be at least 0");
+  if (const auto com = field.find("com")) body.com = unit * com->template vector<Dim>();
+  return body;
+}
+
+/// The body of an entry, or of the object where there are no entries, with what the object says.
+template <int Dim>
+Load<Dim> complete(const Field& field, const Body<Dim>& body, const Body<Dim>& object,
+                   const std::optional<ShapeOf<Dim>>& shape) {
+  Load<Dim> load;
+  if (const auto weight = body.weight ? body.weight : object.weight)
+    load.weight = *weight;
+  else
+    field.get("weight", "a force [N], or give mass [kg]");
   const std::string why = without_volume<Dim>(shape);
-  if (const auto com = field.find("com"); com || (!why.empty() && !otherwise))
-    load.com =
-        unit *
-        field.get("com", std::string(coordinates<Dim>) + ", as " + why).template vector<Dim>();
-  else if (!otherwise)
+  if (const auto com = body.com ? body.com : object.com)
+    load.com = *com;
+  else if (why.empty())
     load.com = centroid(*shape);
+  else
+    field.get("com", std::string(coordinates<Dim>) + ", as " + why);
   return load;
 }
 
@@ -106,7 +124,7 @@ std::vector<Vector<3>> around_ball(Vector<3>) {
   return vertices;
 }
 
-/// Adds the accelerations of an entry. Returns how many directions they stand for.
+/// Reads the accelerations of an entry. Returns the one in any direction [m/s2], or 0.
 template <int Dim>
 double read_acceleration(const Field& field, Load<Dim>& load) {
   if (field.is_list()) {
@@ -143,11 +161,11 @@ Wrench<Dim> read_wrench(const Field& entry, double unit) {
 
 template <int Dim>
 void add_entry(const Field& entry, double unit, const std::optional<ShapeOf<Dim>>& shape,
-               const Load<Dim>& object, std::vector<Load<Dim>>& loads) {
+               const Body<Dim>& object, std::vector<Load<Dim>>& loads) {
   Keys keys{"name", "weight", "mass", "com", "acceleration", "force", "moment", "at"};
   if (Dim == 3) keys.insert(keys.end(), {"density", "inertial"});
   entry.mapping(keys);
-  Load<Dim> load = read_body<Dim>(entry, unit, shape, &object);
+  Load<Dim> load = complete<Dim>(entry, read_body<Dim>(entry, unit, shape), object, shape);
   if (const auto name = entry.find("name")) load.name = name->text();
   load.fixed = read_wrench<Dim>(entry, unit);
   double any = 0;
@@ -183,12 +201,9 @@ std::vector<std::string> load_paths(const Field& root) {
 template <int Dim>
 std::vector<Load<Dim>> read_loads(const Field& root, const Field& object, double unit,
                                   const std::optional<ShapeOf<Dim>>& shape) {
-  if (const auto scenarios = object.find("scenarios"))
-    scenarios->fail(
-        "is not known any more, must be `loads` of the file: a list of {name, mass, com}");
-  const Load<Dim> own = read_body<Dim>(object, unit, shape);
+  const Body<Dim> own = read_body<Dim>(object, unit, shape);
   const auto list = root.find("loads");
-  if (!list) return {own};
+  if (!list) return {complete<Dim>(object, own, {}, shape)};
   std::vector<Load<Dim>> loads;
   for (const Field& entry : list->list()) {
     add_entry(entry, unit, shape, own, loads);

@@ -151,13 +151,10 @@ std::vector<std::string> doubts(const CommonFile<Dim>& file, const Grasp<Dim>& g
     return given && (k == 0 || paths[k] != paths[k - 1]);
   };
   for (std::size_t k = 0; k < loads.size(); ++k)
-    if (k == 0 || says(k, {"weight", "mass", "density", "inertial"}))
-      check_weight(doubts, loads[k].weight, root.follow(paths[k]));
+    if (const bool own = says(k, {"weight", "mass", "density", "inertial"}); own || k == 0)
+      check_weight(doubts, loads[k].weight, root.follow(own ? paths[k] : "object"));
   const bool gripped = root.find("gripper").has_value();
   check_radius(doubts, grasp, gripped ? "gripper" : "contacts");
-  for (std::size_t k = 0; k < loads.size() && file.shape; ++k)
-    if (says(k, {"com", "inertial"}))
-      check_com<Dim>(doubts, loads[k].com, *file.shape, place(k, "com"));
   for (std::size_t k = 0; k < loads.size() && file.shape; ++k)
     if (const bool own = says(k, {"com", "inertial"}); own || k == 0)
       check_com<Dim>(doubts, loads[k].com, *file.shape, own ? paths[k] : "object");
