@@ -1,7 +1,7 @@
 #include "poise/path_limits.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "motion/held_set.hpp"
 #include "motion/polygon.hpp"
@@ -78,12 +78,12 @@ class Search {
     PathLimits limits;
     if (!find_first()) return limits;
     find_inside();
-    limits.holdable = true;
     refine();
+    if (!(shrunk_ > 0)) return limits;
+    limits.holdable = true;
     limits.shrunk = shrunk_;
     limits.inside = inside_.cwiseProduct(plane_.units());
     for (const Row& row : rows_) {
-      if (!row.active) continue;
       const Vector<2> normal = row.half.normal.cwiseQuotient(plane_.units());
       const double here = row.half.normal.dot(inside_);
       limits.rows.push_back({normal[0], normal[1], here + shrunk_ * (row.half.most - here),
@@ -96,7 +96,6 @@ class Search {
   struct Row {
     HalfPlane half;
     bool proven;  ///< else the end of what was looked at
-    bool active{true};
   };
 
   void start(double bottom) {
@@ -139,24 +138,47 @@ class Search {
 
   void refine() {
     start(-below * inside_.y());
+    for (const Vector<2>& corner : Corners(outer_))
+      if (!look_towards(corner)) return;
     for (std::size_t looks = 0; looks < 2 * most_rows && rows_.size() < most_rows; ++looks) {
-      const Corners inner = hull(held_);
-      shrunk_ = 1;
-      const Vector<2>* worst = nullptr;
-      for (const Vector<2>& corner : outer_) {
-        const double part = inner.size() > 2 ? part_inside(inner, inside_, corner) : 0;
-        if (part >= shrunk_) continue;
-        shrunk_ = part;
-        worst = &corner;
-      }
-      if (!worst || shrunk_ >= wanted) break;
-      if (!look_towards(*worst)) break;
+      const auto [part, worst] = least_part_inside(outer_);
+      if (part >= wanted || !look_towards(worst)) break;
     }
-    for (Row& row : rows_) {
-      const double near = 1e-9 * (1 + std::abs(row.half.most));
-      row.active = std::any_of(outer_.begin(), outer_.end(), [&](const Vector<2>& corner) {
-        return row.half.normal.dot(corner) > row.half.most - near;
-      });
+    prune();
+    shrunk_ = least_part_inside(outer_).first;
+  }
+
+  /// How much of the way to a corner is held for certain, at the corner where it is least.
+  std::pair<double, Vector<2>> least_part_inside(const Corners& corners) const {
+    const Corners inner = hull(held_);
+    std::pair<double, Vector<2>> least{2, inside_};
+    for (const Vector<2>& corner : corners)
+      if (const double part = part_inside(inner, inside_, corner); part < least.first)
+        least = {part, corner};
+    return least;
+  }
+
+  bool touches(const HalfPlane& half) const {
+    return std::any_of(outer_.begin(), outer_.end(), [&](const Vector<2>& corner) {
+      return half.normal.dot(corner) > half.most * (1 - 1e-9);
+    });
+  }
+
+  /// Rows without which as much is held for certain are left out.
+  void prune() {
+    const double enough = std::min(wanted, least_part_inside(outer_).first);
+    const Vector<2> low(-far, -below * inside_.y());
+    std::reverse(rows_.begin(), rows_.end());  // the ends of what is looked at come last
+    for (std::size_t k = 0; k < rows_.size();) {
+      Corners without = {low, {far, low.y()}, {far, far}, {-far, far}};
+      for (std::size_t j = 0; j < rows_.size(); ++j)
+        if (j != k && rows_[j].proven) without = cut(without, rows_[j].half);
+      if (rows_[k].proven ? least_part_inside(without).first < enough : touches(rows_[k].half)) {
+        ++k;
+        continue;
+      }
+      if (rows_[k].proven) outer_ = without;
+      rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(k));
     }
   }
 

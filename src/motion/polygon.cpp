@@ -24,7 +24,7 @@ Corners hull(std::vector<Vector<2>> points) {
 
 double part_inside(const Corners& corners, const Vector<2>& inside, const Vector<2>& point) {
   const Vector<2> way = point - inside;
-  double part = 1;
+  double part = corners.size() > 2 ? 1 : 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vector<2>& a = corners[k];
     const Vector<2> edge = corners[(k + 1) % corners.size()] - a;
