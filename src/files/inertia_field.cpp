@@ -17,10 +17,7 @@ std::optional<Eigen::Matrix3d> read_inertia(const Field& object) {
   const auto given = object.find("inertia");
   if (!given) {
     if (!inertial) return {};
-    const Eigen::Matrix3d inertia = read_inertial(*inertial).inertia;
-    if (const std::string problem = inertia_problem(inertia); !problem.empty())
-      inertial->fail("is of a link whose inertia " + problem);
-    return inertia;
+    return read_inertial(*inertial).inertia;
   }
   if (inertial) inertial->fail("is given as well as inertia, must be one of them");
   const std::string expected = "[ixx, iyy, izz, ixy, ixz, iyz], kg m2 about the com";
@@ -37,7 +34,11 @@ std::optional<Eigen::Matrix3d> read_inertia(const Field& object) {
 }
 
 Eigen::Matrix3d inertia_of(const SpatialFile& file, const std::string& name) {
-  if (file.inertia) return *file.inertia;
+  if (file.inertia) {  // that of a robot model, where a dummy is no harm else, was not looked at
+    if (const std::string problem = inertia_problem(*file.inertia); !problem.empty())
+      throw FileError(name, {}, "object.inertial", "is of a link whose inertia " + problem);
+    return *file.inertia;
+  }
   const auto fail = [&](const std::string& why) {
     return FileError(name, {}, "object.inertia",
                      "is missing, but the motion turns the object: must be [ixx, iyy, izz, ixy, "

@@ -3,6 +3,7 @@
 
 #include "answer.hpp"
 #include "files/output.hpp"
+#include "files/text.hpp"
 #include "pictures/pictures.hpp"
 #include "tables/motion.hpp"
 
