@@ -75,7 +75,9 @@ void draw_motion(const std::string& name, const Grasp<3>& grasp, const MotionRep
   Script script;
   begin_picture(script, 900, 480);
   script.line("set lmargin at screen 0.1\nset rmargin at screen 0.97");
-  script.line("set tmargin at screen 0.86\nset bmargin at screen 0.24");
+  script.line(
+      "set tmargin at screen 0.8\nset bmargin at screen 0.17\nset key at screen 0.53,0.87 center "
+      "maxrows 1");
   script.line("set label {} at screen 0.5,0.95 center font 'sans-serif,20'",
               quoted(name.empty() ? "held object" : name, 70));
   script.line("set xrange [{}:{}]\nset yrange [0:{}]", first, last > first ? last : first + 1,
@@ -92,7 +94,7 @@ void draw_motion(const std::string& name, const Grasp<3>& grasp, const MotionRep
   }
   if (std::isfinite(most) && most <= top) {
     script.data("most", {{{first, most}, {last, most}}});
-    script.layer("$most with lines dt 2 lw 2 lc rgb '{}' title 'the most that the drives give'",
+    script.layer("$most with lines dt 2 lw 2 lc rgb '{}' title 'what the drives give'",
                  limit_colour);
   }
   if (const double value = told(report, motion.needs[motion.peak].value); std::isfinite(value)) {
