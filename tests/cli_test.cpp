@@ -107,7 +107,7 @@ TEST_F(CommandLine, RefusesBadUsageAndSaysWhatIsRight) {
   } usages[] = {
       {"", "A subcommand is required"},
       {"hodl 4c.yaml",
-       "unknown command 'hodl', must be check, hold, best, turn, curve, capacity, draw, "
+       "unknown command 'hodl', must be check, hold, best, turn, curve, capacity, motion, draw, "
        "verify, contacts, batch, view or import"},
       {"best", "FILE is required"},
       {"best 4c.yaml 4c.yaml", "unexpected '4c.yaml', poise best takes one FILE"},

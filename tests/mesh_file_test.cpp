@@ -183,9 +183,9 @@ TEST_F(MeshFile, GivenComAndWeightComeFirst) {
 
 TEST_F(MeshFile, LoadsMayHaveDensities) {
   write("box.obj", box);
-  const SpatialFile file = read(
-      "{shape: {mesh: box.obj}}",
-      "loads: [{density: 1000}, {density: 500, com: [0, 0, 0]}, {weight: 3}]\n" + somewhere);
+  const SpatialFile file =
+      read("{shape: {mesh: box.obj}}",
+           "loads: [{density: 1000}, {density: 500, com: [0, 0, 0]}, {weight: 3}]\n" + somewhere);
   ASSERT_EQ(file.loads.size(), 3U);
   EXPECT_NEAR(file.loads[0].weight, weight_of_water, 1e-5);
   EXPECT_NEAR(file.loads[1].weight, weight_of_water / 2, 1e-5);
@@ -382,7 +382,7 @@ const std::string robot = R"(<?xml version="1.0"?>
     <inertial>
       <origin xyz="0.1 -0.2 0.3" rpy="0.5 0.6 0.7"/>
       <mass value="1.5"/>
-      <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+      <inertia ixx="1" ixy="0" ixz="0" iyy="2" iyz="0" izz="2.5"/>
     </inertial>
   </link>
   <link name="air"/>
@@ -400,6 +400,14 @@ TEST_F(MeshFile, ARobotModelKnowsMassAndCom) {
       read("{inertial: {urdf: arm.urdf, link: cup}}", "length_unit: mm\n" + somewhere);
   EXPECT_EQ(file.loads[0].weight, 1.5 * standard_gravity);
   EXPECT_EQ(file.loads[0].com, Vector<3>(0.1, -0.2, 0.3));
+  // Roll about x, then pitch about y, then yaw about z, all fixed.
+  const Eigen::Matrix3d turned =
+      (Eigen::AngleAxisd(0.7, Vector<3>::UnitZ()) * Eigen::AngleAxisd(0.6, Vector<3>::UnitY()) *
+       Eigen::AngleAxisd(0.5, Vector<3>::UnitX()))
+          .toRotationMatrix();
+  const Eigen::Matrix3d inertia =
+      turned * Eigen::Vector3d(1, 2, 2.5).asDiagonal() * turned.transpose();
+  EXPECT_LT((file.inertia.value() - inertia).norm(), 1e-12);
   const SpatialFile more =
       read("{weight: 1, com: [0, 0, 0]}",
            "loads: [{inertial: {urdf: arm.urdf, link: cup}}, {name: plain}]\n" + somewhere);

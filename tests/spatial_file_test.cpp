@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "files/grasp_file.hpp"
+#include "files/inertia_field.hpp"
 
 namespace poise {
 namespace {
@@ -142,18 +143,69 @@ TEST(SpatialFile, WarnsOfWhatLooksLikeAMistake) {
                     inward = "the inward normal of the shape",
                     length = "it is a length, about the size of the touching area";
   EXPECT_EQ(read(top + "normals: outward\n" + object + contacts).warnings.size(), 2U);
+  EXPECT_EQ(read(top + "object:\n  shape: {box: {size: [2, 2, 2]}}\n  weight: 1\nloads:\n" +
+                 "    - {mass: 20000, com: [0, 0, 1.5]}\n    - {name: other}\ncontacts:\n" +
+                 "  - {position: [1, 0, 0], normal: [-1, 0, 0.2], friction: 0.5, torsion: 5}\n" +
+                 "  - {position: [1, 0, 0], friction: 30}\n")
+                .warnings,
+            (Lines{"f.yaml:7:14: loads[0].mass: makes a weight of 1.96e+05 N: " + unit,
+                   "f.yaml:7:26: loads[0].com: lies outside the shape",
+                   "f.yaml:10:35: contacts[0].normal: is 11.3 degrees away from " + inward,
+                   "f.yaml:10:73: contacts[0].torsion: is 5 m, more than the size of the grasp: " +
+                       length,
+                   "f.yaml:11:37: contacts[1].friction: is 30, uncommonly high: is it an angle?",
+                   "f.yaml:11:16: contacts[1].position: is the same as that of contacts[0]"}));
+}
+
+std::string inertia_problem_of(const std::string& inertia) {
+  try {
+    read(top + "object: {weight: 10, com: [0, 0, 0], inertia: " + inertia + "}\n" + contacts);
+    return "";
+  } catch (const FileError& error) {
+    return error.path() + ": " + error.problem();
+  }
+}
+
+TEST(SpatialFile, TellsTheInertiaOrItComesFromTheShape) {
+  const SpatialFile told = read(
+      top + "object: {weight: 10, com: [0, 0, 0], inertia: [3, 4, 5, 0.1, 0.2, 0.3]}\n" + contacts);
+  Eigen::Matrix3d matrix;
+  matrix << 3, 0.1, 0.2, 0.1, 4, 0.3, 0.2, 0.3, 5;
+  EXPECT_EQ(told.inertia.value(), matrix);
+  EXPECT_EQ(inertia_of(told, "f.yaml"), matrix);
+  const SpatialFile even =
+      read(top + "object: {mass: 12, shape: {box: {size: [2, 3, 4]}}}\n" + contacts);
+  EXPECT_FALSE(even.inertia);
+  const Eigen::Matrix3d box = Eigen::Vector3d(9 + 16, 4 + 16, 4 + 9).asDiagonal();
+  EXPECT_LT((inertia_of(even, "f.yaml") - box).norm(), 1e-9);
+  const auto why = [](const std::string& given) {
+    try {
+      inertia_of(read(top + given + contacts), "f.yaml");
+      return std::string();
+    } catch (const FileError& error) {
+      return error.path() + ": " + error.problem().substr(error.problem().find(", as ") + 5);
+    }
+  };
+  EXPECT_EQ(why(object), "object.inertia: there is no shape to take it from");
   EXPECT_EQ(
-      read(top + "object:\n  shape: {box: {size: [2, 2, 2]}}\n  weight: 1\nloads:\n" +
-           "    - {mass: 20000, com: [0, 0, 1.5]}\n    - {name: other}\ncontacts:\n" +
-           "  - {position: [1, 0, 0], normal: [-1, 0, 0.2], friction: 0.5, torsion: 5}\n" +
-           "  - {position: [1, 0, 0], friction: 30}\n")
-          .warnings,
-      (Lines{"f.yaml:7:14: loads[0].mass: makes a weight of 1.96e+05 N: " + unit,
-             "f.yaml:7:26: loads[0].com: lies outside the shape",
-             "f.yaml:10:35: contacts[0].normal: is 11.3 degrees away from " + inward,
-             "f.yaml:10:73: contacts[0].torsion: is 5 m, more than the size of the grasp: " + length,
-             "f.yaml:11:37: contacts[1].friction: is 30, uncommonly high: is it an angle?",
-             "f.yaml:11:16: contacts[1].position: is the same as that of contacts[0]"}));
+      why("object: {mass: 12, com: [0, 0, 1], shape: {box: {size: [2, 3, 4]}}}\n"),
+      "object.inertia: the com is not the middle of the shape, so that its mass is not spread "
+      "evenly");
+}
+
+TEST(SpatialFile, RefusesAnInertiaThatNoBodyHas) {
+  const std::string must = ": must be [ixx, iyy, izz, ixy, ixz, iyz], kg m2 about the com";
+  EXPECT_EQ(inertia_problem_of("[1, 1, 1, 0, 0, 0]"), "");
+  EXPECT_EQ(
+      inertia_problem_of("[1, 1, 1]"),
+      "object.inertia: has 3 numbers, must be [ixx, iyy, izz, ixy, ixz, iyz], kg m2 about the "
+      "com");
+  EXPECT_EQ(inertia_problem_of("[1, 1, 3, 0, 0, 0]"),
+            "object.inertia: has a principal moment above the sum of the two others, which no body "
+            "has" +
+                must);
+  EXPECT_EQ(inertia_problem_of("[1, 1, 1, 2, 0, 0]"),
+            "object.inertia: has a negative principal moment, which no body has" + must);
 }
 
 }  // namespace

@@ -11,10 +11,10 @@
 namespace poise {
 namespace {
 
-const Subcommand* const all_commands[] = {&check_command, &hold_command,   &best_command,
-                                          &turn_command,  &curve_command,  &capacity_command,
-                                          &draw_command,  &verify_command, &contacts_command,
-                                          &batch_command, &view_command,   &import_command};
+const Subcommand* const all_commands[] = {
+    &check_command,    &hold_command,   &best_command,  &turn_command,   &curve_command,
+    &capacity_command, &motion_command, &draw_command,  &verify_command, &contacts_command,
+    &batch_command,    &view_command,   &import_command};
 
 /// The command line as CLI11 sees it.
 struct Parser {

@@ -28,8 +28,8 @@ struct Subcommand {
 };
 
 extern const Subcommand check_command, hold_command, best_command, turn_command, curve_command,
-    capacity_command, draw_command, verify_command, contacts_command, batch_command, view_command,
-    import_command;
+    capacity_command, motion_command, draw_command, verify_command, contacts_command, batch_command,
+    view_command, import_command;
 
 /// What a command line asks for, or a text instead (help, version, completion).
 /// @throws UsageError

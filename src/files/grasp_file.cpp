@@ -7,6 +7,7 @@
 #include "files/field.hpp"
 #include "files/grasp_document.hpp"
 #include "files/gripper_field.hpp"
+#include "files/inertia_field.hpp"
 #include "files/load_field.hpp"
 #include "files/mechanism_field.hpp"
 #include "files/mesh_field.hpp"
@@ -243,7 +244,7 @@ Field read_shape_of_object(const Field& root, double unit, CommonFile<Dim>& file
   if (const auto scenarios = object.find("scenarios"))
     scenarios->fail(
         "is not known any more, must be `loads` of the file: a list of {name, mass, com}");
-  check_keys<Dim>(object, {"weight", "mass", "com", "shape"}, {}, {"density", "inertial"});
+  check_keys<Dim>(object, {"weight", "mass", "com", "shape"}, {}, {"density", "inertial", "inertia"});
   if (const auto shape = object.find("shape"))
     file.shape = read_shape<Dim>(*shape, unit, file.warnings);
   return object;
@@ -355,6 +356,7 @@ SpatialFile read_spatial(const Field& root) {
   const double unit = read_unit(root);
   const Field object = read_shape_of_object<3>(root, unit, file);
   file.loads = read_loads<3>(root, object, unit, file.shape);
+  file.inertia = read_inertia(object);
   std::vector<Pull<3>> pull;
   if (const auto gripper = root.find("gripper")) {
     close_gripper(root, *gripper, unit, file);

@@ -44,6 +44,8 @@ struct SpatialFile : CommonFile<3> {
   std::optional<Vector<3>> up{};     ///< the posture in which it is held now
   std::optional<Tilt> tilt{};        ///< the postures to choose from; none: all
   std::optional<Gripper> gripper{};  ///< where the contacts come from, if the file has one
+  /// Of the object, about the com [kg m^2, object frame], where it is told; see inertia_of().
+  std::optional<Eigen::Matrix3d> inertia{};
 };
 
 template <int Dim>

@@ -188,6 +188,10 @@ std::string grasp_document(const SpatialFile& file, WriteAs as, const std::strin
   if (file.up) result["up"] = json_value(*file.up);
   if (file.tilt) result["tilt"] = tilt_value(*file.tilt);
   add_loads(result, file.loads);
+  if (file.inertia) {
+    const Eigen::Matrix3d& i = *file.inertia;
+    result["object"]["inertia"] = {i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)};
+  }
   if (file.shape) {
     Solid shape = *file.shape;
     if (auto* mesh = std::get_if<MeshShape>(&shape); mesh && !folder.empty())

@@ -45,8 +45,9 @@ std::unique_ptr<TriangleFinder> triangle_finder(const Mesh& mesh);
 
 /// The inertial of a link of a robot model, in the link's frame.
 struct Inertial {
-  double mass{0};                                 ///< [kg], > 0
-  Eigen::Vector3d com = Eigen::Vector3d::Zero();  ///< centre of mass [m]
+  double mass{0};                                     ///< [kg], > 0
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();      ///< centre of mass [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the com [kg m^2]
 };
 
 /// @throws ReadError

@@ -490,6 +490,21 @@ Vector3d centroid(const Mesh& mesh) {
   return middle + sum / (4 * six);
 }
 
+/// Of a tetrahedron with a corner at the origin and the others a, b and c it is six volumes / 120
+/// times a a^T + b b^T + c c^T + s s^T, s = a + b + c.
+Eigen::Matrix3d second_moments(const Mesh& mesh) {
+  const Vector3d middle = centroid(mesh);
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const Triangle& triangle : mesh.triangles) {
+    Eigen::Matrix3d corners;
+    for (int k = 0; k < 3; ++k) corners.col(k) = corner(mesh, triangle, k) - middle;
+    const Vector3d s = corners.rowwise().sum();
+    sum += six_volumes(mesh, triangle, middle) / 120 *
+           (corners * corners.transpose() + s * s.transpose());
+  }
+  return sum;
+}
+
 MendedMesh mended(const Mesh& mesh) {
   for (const Vector3d& vertex : mesh.vertices)
     if (!vertex.allFinite()) return {mesh, {}, "has a vertex that is not finite"};

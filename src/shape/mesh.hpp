@@ -21,6 +21,9 @@ double volume(const Mesh& mesh);
 /// The same, of a mesh that has a volume.
 Eigen::Vector3d centroid(const Mesh& mesh);
 
+/// The integral of r r^T over it, r from its centroid [m^5]; of a mesh that has a volume.
+Eigen::Matrix3d second_moments(const Mesh& mesh);
+
 Eigen::AlignedBox3d bounds(const Mesh& mesh);
 
 /// A mesh as files have them, made a closed surface where that is safe.

@@ -96,6 +96,9 @@ double volume(const Solid& solid);  ///< [m^3]; of a mesh, one without defect
 Vector<2> centroid(const Shape& shape);
 Vector<3> centroid(const Solid& solid);  ///< of a mesh, one without defect
 
+/// About the centroid, of a density of 1 kg/m^3 [m^5]; of a mesh, one without defect.
+Eigen::Matrix3d inertia(const Solid& solid);
+
 /// The scale of a shape [m]: its larger radius, or half the diagonal of its bounding box.
 double size(const Shape& shape);
 double size(const Solid& solid);

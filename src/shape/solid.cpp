@@ -111,6 +111,24 @@ Vector<3> centroid(const Solid& solid) {
   return shape ? centroid(*shape->mesh) : Vector<3>(Vector<3>::Zero());
 }
 
+Eigen::Matrix3d inertia(const Solid& solid) {
+  // The integrals of x^2, y^2 and z^2 over the volume.
+  const auto moments = Overloaded{
+      [](const Box& box) -> Vector<3> { return box.size.cwiseAbs2() / 12; },
+      [](const Cylinder& c) -> Vector<3> {
+        return {c.radius * c.radius / 4, c.radius * c.radius / 4, c.height * c.height / 12};
+      },
+      [](const Sphere& sphere) -> Vector<3> {
+        return Vector<3>::Constant(sphere.radius * sphere.radius / 5);
+      },
+      [](const Ellipsoid& ellipsoid) -> Vector<3> { return ellipsoid.radii.cwiseAbs2() / 5; },
+      [](const MeshShape& /*below*/) -> Vector<3> { return Vector<3>::Zero(); },
+  };
+  Eigen::Matrix3d second = (volume(solid) * std::visit(moments, solid)).asDiagonal();
+  if (const auto* shape = std::get_if<MeshShape>(&solid)) second = second_moments(*shape->mesh);
+  return second.trace() * Eigen::Matrix3d::Identity() - second;
+}
+
 double size(const Solid& solid) {
   return std::visit(
       Overloaded{

@@ -1243,6 +1243,74 @@ class Files(unittest.TestCase):
             self.assertTrue(str(caught.exception).startswith("contacts[1].friction: "))
 
 
+class Motions(unittest.TestCase):
+    """Two soft fingers of friction 0.5 that lift half a kilogram at 2 t."""
+
+    def setUp(self):
+        self.mass, self.most = 0.5, 30
+        jaw = [
+            poise.Contact([x, 0, 0], [-np.sign(x), 0, 0], 0.5, torsion=0.01, finger=finger)
+            for x, finger in [(-0.04, "left"), (0.04, "right")]
+        ]
+        self.grasp = poise.Grasp(
+            poise.Object(self.mass * poise.standard_gravity, [0, 0, 0]),
+            jaw,
+            1,
+            "coupled",
+            {"left": {"max_force": self.most}},
+        )
+        self.t = np.linspace(0, 1, 101)
+        self.up = np.outer(self.t**3 / 3, [0, 0, 1])
+        self.level = np.tile([1, 0, 0, 0], (101, 1))
+
+    def test_a_lift_is_the_closed_form(self):
+        motion = poise.motion(self.grasp, self.t, self.up, self.level)
+        needed = self.mass * (poise.standard_gravity + 2 * self.t)
+        np.testing.assert_allclose(motion.values, needed, rtol=1e-6)
+        np.testing.assert_allclose(motion.accelerations[:, 2], 2 * self.t, atol=1e-8)
+        self.assertTrue((motion.lower_bounds <= motion.values * (1 + 1e-12)).all())
+        self.assertTrue(motion.held.all())
+        self.assertIsNone(motion.slip)
+        self.assertEqual(motion.peak, 100)
+        self.assertEqual(motion.cause, "weight")
+        self.assertAlmostEqual(motion.without["linear"], needed[0], 5)
+        self.assertAlmostEqual(motion.hold.grip, needed[-1], 6)
+        factor = math.sqrt((self.most / self.mass - poise.standard_gravity) / 2)
+        self.assertAlmostEqual(motion.speed.factor, factor, 5)
+        self.assertAlmostEqual(motion.speed.bound, factor, 5)
+        given = poise.motion(self.grasp, self.t, self.up, self.level, accelerations=0 * self.up)
+        np.testing.assert_allclose(given.values, needed[0], rtol=1e-6)
+
+    def test_turning_about_the_vertical_takes_the_moment(self):
+        half = self.t / 2
+        turned = np.stack([np.cos(half), 0 * half, 0 * half, np.sin(half)], axis=1)
+        inertia = np.diag([0.1, 0.1, 0.1])
+        point = poise.motion(self.grasp, self.t, 0 * self.up, turned)
+        body = poise.motion(self.grasp, self.t, 0 * self.up, turned, inertia=inertia)
+        np.testing.assert_allclose(point.values, body.values, rtol=1e-3)
+        with self.assertRaisesRegex(poise.InvalidGrasp, "principal moment"):
+            poise.motion(self.grasp, self.t, self.up, self.level, inertia=np.diag([1, 1, 3]))
+
+    def test_rows_along_a_path_are_the_closed_form(self):
+        pose = [[0, 0, 0, 1, 0, 0, 0]]
+        upwards = [[[0, 0, 1, 0, 0, 0], [0, 0, 0, 0, 0, 0]]]
+        [limits] = poise.path_limits(self.grasp, pose, upwards)
+        self.assertTrue(limits.holdable)
+        a, b, c = limits.rows[np.abs(limits.rows[:, 0]) > 1e-9].T
+        bounds = c / a
+        strongest = self.most / self.mass
+        self.assertAlmostEqual(bounds[a > 0].min(), strongest - poise.standard_gravity, 1)
+        self.assertAlmostEqual(bounds[a < 0].max(), -strongest - poise.standard_gravity, 1)
+        with self.assertRaises(poise.InvalidGrasp):
+            poise.path_limits(self.grasp, pose, [[[0, 0, 1], [0, 0, 0]]])
+
+    def test_the_wrist_is_turned_so_that_one_finger_carries(self):
+        found = poise.best_offset(self.grasp, self.t, self.up, self.level, gap=0.05)
+        self.assertLessEqual(found.value, found.now)
+        self.assertLessEqual(found.lower_bound, found.value)
+        self.assertAlmostEqual(np.linalg.norm(found.rotation), 1, 12)
+
+
 class Misuse(unittest.TestCase):
     def check(self, path, call, *arguments, **options):
         with self.assertRaises(poise.InvalidGrasp) as caught:

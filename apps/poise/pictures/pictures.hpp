@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ask/answer.hpp"
+#include "ask/motion.hpp"
 #include "files/grasp_file.hpp"
 
 namespace poise {
@@ -23,5 +24,11 @@ void draw_posture(const PlanarFile& file, const Grasp<2>& grasp, const Posture<2
                   const std::string& words, const std::string& path);
 void draw_posture(const SpatialFile& file, const Grasp<3>& grasp, const Posture<3>& posture,
                   const std::string& words, const std::string& path);
+
+/// Draws what is needed over time, its peak, the most that the drives give, and where it slips, into
+/// a file, as SVG.
+/// @throws OutputError
+void draw_motion(const std::string& name, const Grasp<3>& grasp, const MotionReport& report,
+                 const std::string& path);
 
 }  // namespace poise
