@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace poise {
 namespace {
@@ -11,7 +10,21 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// What the parts that were found may be wrong by: so much less is held for sure.
 constexpr double rounding = 1e-7;
-constexpr int most_probes = 60;  ///< along one ray
+constexpr int most_probes = 60;        ///< along one ray
+constexpr double first_step = 1e-3;    ///< before its end
+
+/// Where to ask along a ray: at its end, as far as cuts allow; where that comes nearer no more, in
+/// longer and longer steps before it.
+struct Probes {
+  double step;
+  double end{infinity}, shorter{0};
+
+  double next(double new_end) {
+    if (new_end > end * (1 - step)) shorter = shorter == 0 ? step : 4 * shorter;
+    end = new_end;
+    return end * (1 - shorter);
+  }
+};
 
 /// The corners of a regular simplex about 0.
 template <int Dim>
@@ -43,9 +56,9 @@ Vector<Dim> across(const Vector<Dim>& along, const Vector<Dim>& n) {
 template <int Dim>
 double Cap<Dim>::reach(const Vector<Dim>& n, double b) const {
   const double radius = center.norm();
-  if (!(b < radius)) return std::numbers::pi;
+  if (!(b < radius)) return infinity;
   const Vector<Dim> along = center / radius;
-  const double to = std::atan2(across(along, n).dot(n), along.dot(n));
+  const double to = std::atan2(std::abs(across(along, n).dot(n)), along.dot(n));
   return std::max(to - std::acos(std::max(b / radius, -1.0)), 0.0);
 }
 
@@ -62,15 +75,14 @@ Vector<Dim> Cap<Dim>::touching(const Vector<Dim>& n, double b) const {
 }
 
 template <int Dim>
-std::optional<Vector<Dim>> Body<Dim>::look(const Vector<Dim>& z) {
+std::optional<Vector<Dim>> Body<Dim>::look(const Vector<Dim>& z, Beside beside) {
   ++holds;
   typename Supply<Dim>::Answer answer = supply_.ask(z);
   if (answer.cut) cuts_.push_back(std::move(*answer.cut));
   const double part = answer.part * (1 + rounding);
-  refused_ = part == infinity;
-  if (refused_) return {};
+  if (part == infinity) return {};
   // Parts are convex in z, and 0 at 0 where forces can be multiplied.
-  if (supply_.is_gauge() && part > 0.5) return Vector<Dim>(z / part);
+  if (beside == Beside::allowed && supply_.is_gauge() && part > 0.5) return Vector<Dim>(z / part);
   if (part <= 1) return z;
   const double along = (1 - part_inside_) / (part - part_inside_);
   return Vector<Dim>(inside_ + along * (z - inside_));
@@ -88,13 +100,12 @@ double Body<Dim>::end_of(const Vector<Dim>& direction, double far) const {
 
 template <int Dim>
 std::optional<Vector<Dim>> Body<Dim>::look_along(const Vector<Dim>& direction, double far) {
-  double shorter = 0;
-  for (int k = 0; k < most_probes && shorter < 1; ++k) {
-    const double end = end_of(direction, far) * (1 - shorter);
+  Probes probes{first_step};
+  for (int k = 0; k < most_probes; ++k) {
+    const double end = probes.next(end_of(direction, far));
     if (!(end > 0)) return {};
-    const std::optional<Vector<Dim>> found = look(inside_ + end * direction);
+    const std::optional<Vector<Dim>> found = look(inside_ + end * direction, Beside::no);
     if (found && (*found - inside_).norm() > 1e-9 * end) return found;
-    shorter = shorter == 0 ? 1e-3 : 4 * shorter;
   }
   return {};
 }
@@ -132,14 +143,13 @@ bool Body<Dim>::extend(const Goal& goal, const typename Hull<Dim>::Facet& facet,
                        const Wanted& wanted) {
   const Vector<Dim> touching = goal.touching(facet.n, facet.b) - inside_;
   const double length = touching.norm(), before = bound;
-  const Vector<Dim> direction = touching / length;
-  double shorter = 0;
+  const Vector<Dim> direction = length > 0 ? Vector<Dim>(touching / length) : facet.n;
+  Probes probes{wanted.gap / 8};
   for (int k = 0; k < most_probes; ++k) {
-    const double end = end_of(direction, wanted.horizon) * (1 - shorter);
+    const double end = probes.next(end_of(direction, wanted.horizon));
     if (!(end > length)) break;
-    const std::optional<Vector<Dim>> found = look(inside_ + end * direction);
+    const std::optional<Vector<Dim>> found = look(inside_ + end * direction, Beside::allowed);
     if (found && hull_->add(*found)) return true;
-    if (refused_) shorter = shorter == 0 ? wanted.gap / 8 : 4 * shorter;
   }
   take_bound(goal);
   return bound < before;
@@ -176,7 +186,7 @@ void Body<Dim>::measure(const Goal& goal, const Wanted& wanted) {
     };
     const typename Hull<Dim>::Facet nearest =
         *std::min_element(facets.begin(), facets.end(), by_reach);
-    reach = std::max(goal.reach(nearest.n, nearest.b) * (1 - 1e-12), 0.0);
+    reach = std::max(goal.reach(nearest.n, nearest.b), 0.0);
     take_bound(goal);
     if (reach >= wanted.far || reach >= wanted.enough || is_near() || holds >= wanted.max_holds)
       break;

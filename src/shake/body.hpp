@@ -20,7 +20,8 @@ struct Ball {
   Vector<Dim> touching(const Vector<Dim>& n, double b) const { return center + reach(n, b) * n; }
 };
 
-/// The part of a sphere about 0 within an angle of a point of it. Reaches are angles, up to pi.
+/// The part of a sphere about 0 within an angle of a point of it. Reaches are angles, infinite where
+/// the whole sphere lies there.
 template <int Dim>
 struct Cap {
   Vector<Dim> center;
@@ -61,8 +62,10 @@ class Body {
   std::vector<Vector<Dim>> held() const { return hull_ ? hull_->corners() : std::vector<Vector<Dim>>{}; }
 
  private:
+  /// Whether a point may lie beside the line from the inside to what is asked.
+  enum class Beside { no, allowed };
   /// Asks, and remembers the cut: a point that is held, as far towards z as is known, if any.
-  std::optional<Vector<Dim>> look(const Vector<Dim>& z);
+  std::optional<Vector<Dim>> look(const Vector<Dim>& z, Beside beside);
   double end_of(const Vector<Dim>& direction, double far) const;
   std::optional<Vector<Dim>> look_along(const Vector<Dim>& direction, double far);
   bool span(double far);
@@ -74,7 +77,6 @@ class Body {
   const Supply<Dim>& supply_;
   Vector<Dim> inside_;
   double part_inside_{0};
-  bool refused_{false};  ///< whether friction refused what was asked last
   std::vector<SupplyCut<Dim>> cuts_;
   std::size_t taken_{0};  ///< cuts that the bound knows
   std::optional<Hull<Dim>> hull_;

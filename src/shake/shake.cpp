@@ -84,7 +84,7 @@ Tilting<Dim> tilting(const Grasp<Dim>& grasp, const Vector<Dim>& up,
   check_shake(settings);
   const Hand<Dim> hand = limited_hand<Dim>(grasp, settings);
   constexpr double pi = std::numbers::pi;
-  Tilting<Dim> result{.holdable = true, .angle = pi, .bound = infinity};
+  Tilting<Dim> result{.holdable = true, .angle = infinity, .bound = infinity};
   result.held.resize(grasp.loads().size());
   for (std::size_t k = 0; k < grasp.loads().size() && result.holdable; ++k) {
     const Load<Dim>& load = grasp.loads()[k];
@@ -103,6 +103,7 @@ Tilting<Dim> tilting(const Grasp<Dim>& grasp, const Vector<Dim>& up,
              [&](const Vector<Dim>& z) { return Vector<Dim>(z / gravity); }))
       result.up = body.holdable ? Vector<Dim>(cap.at(body.cut.n, body.bound) / gravity) : up;
   }
+  result.angle = std::min(result.angle, pi);
   result.bound = std::min(result.bound, pi);
   return result;
 }

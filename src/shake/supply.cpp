@@ -79,8 +79,10 @@ template <int Dim>
 typename Supply<Dim>::Answer Supply<Dim>::ask_limits(const Wrench<Dim>& w) const {
   using State = typename dual::Balance<Dim>::State;
   const ScaledHand<Dim>& scaled = hand_.scaled();
-  const dual::Balance<Dim> found =
-      dual::balance(parts_->cones, scaled_wrench(scaled, unit_, w), dual::Wanted::grip);
+  const Wrench<Dim> load = scaled_wrench(scaled, unit_, w);
+  dual::Balance<Dim> found = dual::quick_balance(parts_->cones, load, dual::Wanted::grip);
+  if (found.state == State::open && !(found.error <= most_error))
+    found = dual::balance(parts_->cones, load, dual::Wanted::grip);
   const bool is_held = found.state != State::not_held && found.error <= most_error;
   const dual::GripCut<Dim> proof = dual::grip_cut(parts_->cones, found, cap_);
   dual::Rates rates;
