@@ -80,11 +80,15 @@ Grasp<Dim> with_loads(const Grasp<Dim>& grasp, const Change& change) {
   for (Load<Dim>& load : loads) change(load);
   return {std::move(loads), grasp.contacts(), 1, grasp.mechanism()};
 }
+/// By forces up to a million times the loads as they are.
 template <int Dim>
 bool is_held(const Grasp<Dim>& grasp, const Vector<Dim>& up, const Vector<Dim>& acceleration) {
-  return hold<Dim>(with_loads(grasp, [&](Load<Dim>& load) { load.acceleration += acceleration; }),
-                   up)
-      .holdable;
+  for (Load<Dim> load : grasp.loads()) {
+    const double size = load.size(grasp.length());
+    load.acceleration += acceleration;
+    if (!hold<Dim>(grasp, load.at(up), size, Twist<Dim>(Twist<Dim>::Zero())).holdable) return false;
+  }
+  return true;
 }
 
 template <int Dim>
@@ -102,7 +106,7 @@ Vector<Dim> random_direction(std::mt19937& random) {
 template <int Dim>
 double excess(const Grasp<Dim>& grasp, const ShakeCut<Dim>& cut, const Wrench<Dim>& w) {
   const std::vector<Drive<Dim>> drives = grasp.drives();
-  double most = 0;
+  double most = 0, squares = 0;
   for (std::size_t a = 0; a < cut.rates.size(); ++a) {
     EXPECT_GE(cut.rates[a], 0);
     if (cut.rates[a] > 0) most += cut.rates[a] * drives[a].max;
@@ -145,12 +149,12 @@ double excess(const Grasp<Dim>& grasp, const ShakeCut<Dim>& cut, const Wrench<Di
       power = contact.normal.dot(at(contact.position)) +
               contact.friction * tangential(at(contact.position)).norm();
     }
-    if (power > 0)
-      most += power * std::min(contact.max_normal, 1e6 * grasp.size());
-    else
-      most += power * contact.min_normal;
+    if (power > 0 && contact.max_normal == infinity)  // of forces as long as the force cap
+      squares += power * power / (1 + contact.friction * contact.friction);
+    most += power * (power > 0 && contact.max_normal < infinity ? contact.max_normal
+                                                                 : contact.min_normal);
   }
-  return cut.y.dot(w) - most;
+  return cut.y.dot(w) - most - std::sqrt(squares) * 1e6 * grasp.size();
 }
 
 /// What a shake says of itself, and holds in many directions.

@@ -8,8 +8,10 @@ namespace poise {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// What the parts that were found may be wrong by: so much less is held for sure.
-constexpr double rounding = 1e-7;
+constexpr double rounding = 1e-7;      ///< what the parts that were found may be wrong by
+/// What is held is told a little nearer to the inside, by a part of the gap: what the solver leaves
+/// of an imbalance does not matter there.
+constexpr double pulled = 0.01;
 constexpr int most_probes = 60;        ///< along one ray
 constexpr double first_step = 1e-3;    ///< before its end
 
@@ -81,11 +83,12 @@ std::optional<Vector<Dim>> Body<Dim>::look(const Vector<Dim>& z, Beside beside) 
   if (answer.cut) cuts_.push_back(std::move(*answer.cut));
   const double part = answer.part * (1 + rounding);
   if (part == infinity) return {};
+  const auto pull = [&](const Vector<Dim>& held, double part_of_way) -> Vector<Dim> {
+    return inside_ + (1 - pull_) * part_of_way * (held - inside_);
+  };
   // Parts are convex in z, and 0 at 0 where forces can be multiplied.
-  if (beside == Beside::allowed && supply_.is_gauge() && part > 0.5) return Vector<Dim>(z / part);
-  if (part <= 1) return z;
-  const double along = (1 - part_inside_) / (part - part_inside_);
-  return Vector<Dim>(inside_ + along * (z - inside_));
+  if (beside == Beside::allowed && supply_.is_gauge() && part > 0.5) return pull(z / part, 1);
+  return pull(z, part <= 1 ? 1 : (1 - part_inside_) / (part - part_inside_));
 }
 
 /// As far from the inside as cuts allow.
@@ -176,6 +179,7 @@ void Body<Dim>::measure(const Goal& goal, const Wanted& wanted) {
   only_inside();
   if (!holdable) return;
   reach = 0;
+  pull_ = pulled * wanted.gap;
   const bool spanned = span(wanted.horizon);
   take_bound(goal);
   const auto is_near = [&] { return bound <= reach * (1 + wanted.gap) + wanted.little; };

@@ -76,7 +76,7 @@ class Body {
 
   const Supply<Dim>& supply_;
   Vector<Dim> inside_;
-  double part_inside_{0};
+  double part_inside_{0}, pull_{0};
   std::vector<SupplyCut<Dim>> cuts_;
   std::size_t taken_{0};  ///< cuts that the bound knows
   std::optional<Hull<Dim>> hull_;

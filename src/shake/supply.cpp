@@ -16,7 +16,7 @@ using dual::Exact;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Of forces that are as good as balanced, and of a part as good as proven.
-constexpr double most_error = 1e-7;
+constexpr double most_error = 1e-8;
 
 /// The most that forces do against z: what limits leave, and of contacts without one up to a force
 /// norm. Equation (8) of docs/theory.md.
@@ -72,7 +72,11 @@ Wrench<Dim> Supply<Dim>::wrench(const Vector<Dim>& z) const {
 
 template <int Dim>
 typename Supply<Dim>::Answer Supply<Dim>::ask(const Vector<Dim>& z) const {
-  return parts_ ? ask_limits(wrench(z)) : ask_friction(wrench(z));
+  if (parts_) {
+    Answer answer = ask_limits(wrench(z));
+    if (answer.part < infinity || answer.cut->n.dot(z) > answer.cut->b) return answer;
+  }
+  return ask_hold(wrench(z));  // where nothing is limited, or that is not what decides
 }
 
 template <int Dim>
@@ -96,11 +100,11 @@ typename Supply<Dim>::Answer Supply<Dim>::ask_limits(const Wrench<Dim>& w) const
 }
 
 template <int Dim>
-typename Supply<Dim>::Answer Supply<Dim>::ask_friction(const Wrench<Dim>& w) const {
+typename Supply<Dim>::Answer Supply<Dim>::ask_hold(const Wrench<Dim>& w) const {
   const Hold<Dim> hold =
       poise::hold<Dim>(hand_, w, unit_, Twist<Dim>(Twist<Dim>::Zero()), {.force_cap = cap_});
-  if (hold.holdable) return {0, {}};
-  return {infinity, cut_by(hold.dual, {})};
+  if (hold.holdable) return {parts_ ? 1.0 : 0.0, {}};
+  return {infinity, cut_by(hold.dual, hold.rates)};
 }
 
 template <int Dim>

@@ -48,7 +48,7 @@ class Supply {
   Wrench<Dim> wrench(const Vector<Dim>& z) const;
   SupplyCut<Dim> cut_by(const Twist<Dim>& y, SmallVector<double, 4> rates) const;
   Answer ask_limits(const Wrench<Dim>& w) const;
-  Answer ask_friction(const Wrench<Dim>& w) const;
+  Answer ask_hold(const Wrench<Dim>& w) const;
 
   const Hand<Dim>& hand_;
   const Load<Dim>& load_;
