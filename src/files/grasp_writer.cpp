@@ -81,9 +81,31 @@ void add_mechanism(Json& result, const Mechanism<Dim>& mechanism,
   }
 }
 
+/// The object of the first load, and what each load has that it has not.
 template <int Dim>
-Json load_value(const Load<Dim>& load) {
-  return {{"weight", load.weight}, {"com", json_value(load.com)}};
+void add_loads(Json& result, const std::vector<Load<Dim>>& loads) {
+  const Load<Dim>& first = loads.front();
+  result["object"] = {{"weight", first.weight}, {"com", json_value(first.com)}};
+  const Load<Dim> weight{.weight = first.weight, .com = first.com};
+  if (loads.size() == 1 && first == weight) return;
+  result["loads"] = Json::array();
+  for (const Load<Dim>& load : loads) {
+    Json entry = Json::object();
+    if (!load.name.empty()) entry["name"] = load.name;
+    if (load.weight != first.weight) entry["weight"] = load.weight;
+    if (load.com != first.com) entry["com"] = json_value(load.com);
+    if (load.lift != 0) entry["acceleration"]["up"] = load.lift;
+    if (!load.acceleration.isZero(0))
+      entry["acceleration"]["fixed"] = json_value(load.acceleration);
+    if (!load.fixed.isZero(0)) {
+      entry["force"] = json_value(Vector<Dim>(-load.fixed.template head<Dim>()));
+      if constexpr (Dim == 2)
+        entry["moment"] = -load.fixed[2];
+      else
+        entry["moment"] = json_value(Vector<3>(-load.fixed.template tail<3>()));
+    }
+    result["loads"].push_back(std::move(entry));
+  }
 }
 
 Json pose_value(const char* type, const Pose& pose) {
@@ -108,6 +130,17 @@ Json gripper_value(const ParallelJaw& jaw) {
   if (jaw.contact == JawContact::facets) value["contact"] = "facets";
   value["samples"] = jaw.samples;
   return with_forces(std::move(value), jaw);
+}
+
+Json gripper_value(const Suction& suction) {
+  Json value = pose_value("suction", suction.pose);
+  value["direction"] = json_value(suction.direction);
+  value["cups"] = Json::array();
+  for (const Vector<3>& cup : suction.cups) value["cups"].push_back(json_value(cup));
+  value["diameter"] = suction.diameter;
+  value["adhesion"] = suction.adhesion;
+  value["friction"] = suction.friction;
+  return value;
 }
 
 Json gripper_value(const Fingertips& hand) {
@@ -154,13 +187,7 @@ std::string grasp_document(const SpatialFile& file, WriteAs as, const std::strin
   Json result = head(file);
   if (file.up) result["up"] = json_value(*file.up);
   if (file.tilt) result["tilt"] = tilt_value(*file.tilt);
-  if (file.loads.size() == 1) {
-    result["object"] = load_value(file.loads.front());
-  } else {
-    result["object"]["scenarios"] = Json::array();
-    for (const Load<3>& load : file.loads)
-      result["object"]["scenarios"].push_back(load_value(load));
-  }
+  add_loads(result, file.loads);
   if (file.shape) {
     Solid shape = *file.shape;
     if (auto* mesh = std::get_if<MeshShape>(&shape); mesh && !folder.empty())
@@ -171,8 +198,15 @@ std::string grasp_document(const SpatialFile& file, WriteAs as, const std::strin
     result["gripper"] = std::visit([](const auto& g) { return gripper_value(g); }, *file.gripper);
   else
     result["contacts"] = contact_values(file.contacts);
-  add_mechanism(result, file.mechanism,
-                result.contains("gripper") ? mechanism(*file.gripper) : Mechanism<3>{});
+  Mechanism<3> otherwise;
+  if (result.contains("gripper")) {
+    std::vector<Contact<3>> touching = file.contacts;
+    const auto is_pull = [&](const Contact<3>& contact) { return !contact.pad; };
+    if (std::holds_alternative<Suction>(*file.gripper)) std::erase_if(touching, is_pull);
+    otherwise = mechanism(*file.gripper);
+    add_pulls(pulls(*file.gripper, touching), touching, otherwise);
+  }
+  if (file.mechanism != otherwise) add_mechanism(result, file.mechanism, otherwise);
   return json_text(result);
 }
 
@@ -195,7 +229,7 @@ std::string grasp_document(const PlanarFile& file) {
   Json result = head(file);
   if (file.angle) result["angle_deg"] = degrees(*file.angle);
   if (file.domain == Domain::pinching_up) result["domain"] = "pinching-up";
-  result["object"] = load_value(file.loads.front());
+  add_loads(result, file.loads);
   if (file.shape) result["object"]["shape"] = shape_value(*file.shape);
   result["contacts"] = contact_values(file.contacts);
   add_mechanism(result, file.mechanism);
