@@ -292,7 +292,7 @@ inline const std::vector<BadFile> bad_files{
      "object: {weight: 0, com: [0, 0]}\n"
      "contacts:\n"
      "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
-     "3:18: object.weight: is 0, must be above 0"},
+     "3:18: object.weight: is 0, must be above 0 where nothing else acts"},
     {"weight with a unit",
      "poise: 1\n"
      "dimension: 2\n"
@@ -331,7 +331,7 @@ inline const std::vector<BadFile> bad_files{
      "object: {mass: -1, com: [0, 0]}\n"
      "contacts:\n"
      "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
-     "3:16: object.mass: is -1, must be above 0"},
+     "3:16: object.mass: is -1, must be at least 0"},
     {"neither com nor shape",
      "poise: 1\n"
      "dimension: 2\n"
@@ -373,7 +373,8 @@ inline const std::vector<BadFile> bad_files{
      "object: {scenarios: [{weight: 1, com: [0, 0]}]}\n"
      "contacts:\n"
      "  - {position: [1, 0], normal: [-1, 0], friction: 1}\n",
-     "3:10: object.scenarios: belongs to space (dimension 3), not to the plane"},
+     "3:21: object.scenarios: is not known any more, must be `loads` of the file: a list of {name, "
+     "mass, com}"},
     // The shape.
     {"unknown shape",
      "poise: 1\n"
@@ -810,62 +811,118 @@ inline const std::vector<BadFile> bad_files{
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
      "3:9: object.com: is missing, must be [x, y, z], as there is no shape"},
-    {"weight beside scenarios",
+    {"no loads",
      "poise: 1\n"
      "dimension: 3\n"
-     "object: {weight: 1, scenarios: [{weight: 1, com: [0, 0, 0]}]}\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: []\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:18: object.weight: is given beside scenarios, must be given in each of them"},
-    {"com beside scenarios",
+     "4:8: loads: is empty, must hold at least one load"},
+    {"loads are a mapping",
      "poise: 1\n"
      "dimension: 3\n"
-     "object: {com: [0, 0, 0], scenarios: [{weight: 1, com: [0, 0, 0]}]}\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: {weight: 1}\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:15: object.com: is given beside scenarios, must be given in each of them"},
-    {"no scenarios",
+     "4:8: loads: is a mapping, must be a list"},
+    {"a load without weight",
      "poise: 1\n"
      "dimension: 3\n"
-     "object: {scenarios: []}\n"
+     "object: {com: [0, 0, 0]}\n"
+     "loads: [{weight: 1}, {name: b}]\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:21: object.scenarios: is empty, must hold at least one scenario"},
-    {"scenarios are a mapping",
+     "4:22: loads[1].weight: is missing, must be a force [N], or give mass [kg]"},
+    {"a load without com",
      "poise: 1\n"
      "dimension: 3\n"
-     "object: {scenarios: {weight: 1}}\n"
+     "object: {weight: 1}\n"
+     "loads: [{com: [0, 0, 0]}, {mass: 1}]\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:21: object.scenarios: is a mapping, must be a list"},
-    {"scenario without weight",
+     "4:27: loads[1].com: is missing, must be [x, y, z], as there is no shape"},
+    {"a load of negative weight",
      "poise: 1\n"
      "dimension: 3\n"
-     "object: {scenarios: [{weight: 1, com: [0, 0, 0]}, {com: [0, 0, 0]}]}\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: [{weight: -1}]\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:51: object.scenarios[1].weight: is missing, must be a force [N], or give mass [kg]"},
-    {"scenario without com",
+     "4:18: loads[0].weight: is -1, must be at least 0"},
+    {"nothing acts",
      "poise: 1\n"
      "dimension: 3\n"
-     "object: {scenarios: [{weight: 1, com: [0, 0, 0]}, {mass: 1}]}\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: [{weight: 0}]\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:51: object.scenarios[1].com: is missing, must be [x, y, z], as there is no shape"},
-    {"scenario of weight 0",
+     "3:18: object.weight: is 0, must be above 0 where nothing else acts"},
+    {"a load with a shape",
      "poise: 1\n"
      "dimension: 3\n"
-     "object: {scenarios: [{weight: 1, com: [0, 0, 0]}, {weight: 0, com: [0, 0, 0]}]}\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: [{shape: {sphere: {radius: 1}}}]\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:60: object.scenarios[1].weight: is 0, must be above 0"},
-    {"scenario with a shape",
+     "4:10: loads[0].shape: is not a known key, the nearest is name"},
+    {"a load with twice a weight",
      "poise: 1\n"
      "dimension: 3\n"
-     "object: {scenarios: [{weight: 1, shape: {sphere: {radius: 1}}}]}\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: [{weight: 1, mass: 1}]\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:34: object.scenarios[0].shape: is not a known key, the nearest is mass"},
+     "4:27: loads[0].mass: is given as well as weight, must be one of them"},
+    {"a place without a force",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: [{at: [1, 0, 0]}]\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "4:14: loads[0].at: is given without a force, must be left out"},
+    {"a moment of the plane",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: [{moment: 1}]\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "4:18: loads[0].moment: is 1, must be [x, y, z]"},
+    {"an acceleration without a number",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: [{acceleration: {}}]\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "4:24: loads[0].acceleration: is empty, must have up, any or fixed [m/s2], or be [x, y, z]"},
+    {"an acceleration in no direction",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: [{acceleration: {any: 0}}]\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "4:30: loads[0].acceleration.any: is 0, must be above 0"},
+    {"an acceleration down",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: [{acceleration: {down: 3}}]\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "4:25: loads[0].acceleration.down: is not a known key, the nearest is up"},
+    {"an acceleration of nothing",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 0, com: [0, 0, 0]}\n"
+     "loads: [{acceleration: {any: 1}, force: [1, 0, 0]}]\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "4:24: loads[0].acceleration: is of an object without mass, must be left out"},
     {"shape of the plane",
      "poise: 1\n"
      "dimension: 3\n"
@@ -957,13 +1014,6 @@ inline const std::vector<BadFile> bad_files{
      "contacts:\n"
      "  - {position: [1, 0, 0], friction: 1}\n",
      "3:19: object.density: is 0, must be above 0"},
-    {"density beside scenarios",
-     "poise: 1\n"
-     "dimension: 3\n"
-     "object: {density: 1, scenarios: [{weight: 1, com: [0, 0, 0]}]}\n"
-     "contacts:\n"
-     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:19: object.density: is given beside scenarios, must be given in each of them"},
     {"a robot that is not there",
      "poise: 1\n"
      "dimension: 3\n"

@@ -44,7 +44,7 @@ PlanarFile random_planar_file() {
   return file;
 }
 
-/// Now and then with a second scenario, or a tilt.
+/// Now and then with a second load, or a tilt.
 SpatialFile random_spatial_file() {
   const auto held = one_in(6) ? *space::nearly_unholdable()
                               : *space::grasps({.least_contacts = 2,
@@ -59,6 +59,13 @@ SpatialFile random_spatial_file() {
     other.weight *= real(0.3, 1);
     other.com += 0.2 * space::random_direction();
     file.loads.push_back(other);
+  }
+  // Now and then something acts besides the weight.
+  for (Load<3>& load : file.loads) {
+    if (one_in(6)) load.lift = real(-3, 5);
+    if (one_in(6)) load.acceleration = real(0, 5) * space::random_direction();
+    if (one_in(6)) load.fixed.head<3>() = 0.3 * load.weight * space::random_direction();
+    if (one_in(8)) load.fixed.tail<3>() = 0.1 * load.weight * space::random_direction();
   }
   if (one_in(2)) file.up = space::random_direction();
   if (one_in(3)) file.tilt = Tilt{space::random_direction(), real(0, pi / 2)};
@@ -342,7 +349,7 @@ std::vector<std::string> changes(const Json& document, Json forged,
     // Optima lie where friction begins to be needed: there both manners are right.
     const bool at_fork = path.ends_with("manner") && document["options"].contains("domain");
     // Of two loads that cannot be held either decides.
-    const bool is_either = path == "scenario" && document["holdable"] == false;
+    const bool is_either = path == "load" && document["holdable"] == false;
     if (!at_fork && !claims_less(document, forged, path) && !is_either &&
         std::none_of(unchecked.begin(), unchecked.end(), names))
       changed.push_back(path);

@@ -181,12 +181,11 @@ TEST_F(MeshFile, GivenComAndWeightComeFirst) {
   EXPECT_EQ(file.loads[0].com, Vector<3>(0.02, 0.03, 0.04));
 }
 
-TEST_F(MeshFile, ScenariosMayHaveDensities) {
+TEST_F(MeshFile, LoadsMayHaveDensities) {
   write("box.obj", box);
   const SpatialFile file = read(
-      "{shape: {mesh: box.obj}, scenarios: [{density: 1000}, {density: 500, com: [0, 0, 0]}, "
-      "{weight: 3}]}",
-      somewhere);
+      "{shape: {mesh: box.obj}}",
+      "loads: [{density: 1000}, {density: 500, com: [0, 0, 0]}, {weight: 3}]\n" + somewhere);
   ASSERT_EQ(file.loads.size(), 3U);
   EXPECT_NEAR(file.loads[0].weight, weight_of_water, 1e-5);
   EXPECT_NEAR(file.loads[1].weight, weight_of_water / 2, 1e-5);
@@ -402,8 +401,8 @@ TEST_F(MeshFile, ARobotModelKnowsMassAndCom) {
   EXPECT_EQ(file.loads[0].weight, 1.5 * standard_gravity);
   EXPECT_EQ(file.loads[0].com, Vector<3>(0.1, -0.2, 0.3));
   const SpatialFile more =
-      read("{scenarios: [{inertial: {urdf: arm.urdf, link: cup}}, {weight: 1, com: [0, 0, 0]}]}",
-           somewhere);
+      read("{weight: 1, com: [0, 0, 0]}",
+           "loads: [{inertial: {urdf: arm.urdf, link: cup}}, {name: plain}]\n" + somewhere);
   EXPECT_EQ(more.loads[0].weight, 1.5 * standard_gravity);
   EXPECT_EQ(problem("{inertial: {urdf: arm.urdf, link: cap}}"),
             "object.inertial.urdf: arm.urdf has no link cap, its links are air, base, cup");

@@ -23,10 +23,10 @@ Held random_hand(std::size_t contacts, bool soft) {
   return held;
 }
 
-/// Worst effort over the scenarios; infinite where unholdable.
-double effort_at(const std::vector<Grasp<3>>& scenarios, const Vector<3>& up) {
+/// Worst effort over the loads; infinite where unholdable.
+double effort_at(const std::vector<Grasp<3>>& cases, const Vector<3>& up) {
   double worst = 0;
-  for (const Grasp<3>& grasp : scenarios) {
+  for (const Grasp<3>& grasp : cases) {
     const Hold<3> found = hold(grasp, up);
     if (!found.holdable) return std::numeric_limits<double>::infinity();
     worst = std::max(worst, found.effort);
@@ -35,10 +35,10 @@ double effort_at(const std::vector<Grasp<3>>& scenarios, const Vector<3>& up) {
 }
 
 /// One grasp with the loads of all of these.
-Grasp<3> together(const std::vector<Grasp<3>>& scenarios) {
+Grasp<3> together(const std::vector<Grasp<3>>& cases) {
   std::vector<Load<3>> loads;
-  for (const Grasp<3>& grasp : scenarios) loads.push_back(grasp.loads().front());
-  return {loads, scenarios.front().contacts()};
+  for (const Grasp<3>& grasp : cases) loads.push_back(grasp.loads().front());
+  return {loads, cases.front().contacts()};
 }
 
 struct Planes {
@@ -46,7 +46,7 @@ struct Planes {
   std::vector<Real> b;  ///< cut off: n . x > b
 };
 
-Planes planes_of(const std::vector<Grasp<3>>& scenarios, const std::vector<Cut>& cuts, Real t) {
+Planes planes_of(const std::vector<Grasp<3>>& cases, const std::vector<Cut>& cuts, Real t) {
   Planes planes;
   auto& [n, b] = planes;
   for (const Cut& c : cuts) {
@@ -54,7 +54,7 @@ Planes planes_of(const std::vector<Grasp<3>>& scenarios, const std::vector<Cut>&
       n.emplace_back(c.n->cast<Real>());
       b.push_back(0);
     } else {
-      const Grasp<3>& grasp = scenarios[c.load];
+      const Grasp<3>& grasp = cases[c.load];
       const Real3 omega = c.y.tail<3>().cast<Real>();
       const Real3 v = c.y.head<3>().cast<Real>() + omega.cross(grasp.center().cast<Real>());
       n.emplace_back(Real{grasp.size()} * v);
@@ -88,7 +88,7 @@ Real farthest_of_all_corners(const Planes& planes) {
 }
 
 /// What is wrong with an answer, or nothing: V is sampled all over the sphere.
-std::string fault(const std::vector<Grasp<3>>& scenarios, const Best<3>& best,
+std::string fault(const std::vector<Grasp<3>>& cases, const Best<3>& best,
                   const SpatialSettings& settings, int samples) {
   std::ostringstream words;
   words.precision(12);
@@ -97,7 +97,7 @@ std::string fault(const std::vector<Grasp<3>>& scenarios, const Best<3>& best,
   if (best.holdable()) {
     const Minimum<3>& b = best.best();
     if (std::abs(b.up.norm() - 1) > 1e-12) return "up is not a unit vector";
-    const std::string other = space::fault(scenarios[b.decides], b.up, b.hold());
+    const std::string other = space::fault(cases[b.decides], b.up, b.hold());
     if (!other.empty()) return other;
     if (!(bound <= b.effort())) return "the bound is above the effort";
     if (std::abs(best.relative_gap - (b.effort() - bound) / b.effort()) > 1e-12) return "the gap";
@@ -109,7 +109,7 @@ std::string fault(const std::vector<Grasp<3>>& scenarios, const Best<3>& best,
   }
   for (const Vector<3>& up : directions(samples)) {
     if (settings.tilt && std::acos(up.dot(settings.tilt->from)) > settings.tilt->most) continue;
-    const double V = effort_at(scenarios, up);
+    const double V = effort_at(cases, up);
     if (best.status == Status::unholdable && V < std::numeric_limits<double>::infinity())
       return "an unholdable grasp holds";
     if (V < bound * (1 - 1e-9)) {
@@ -118,10 +118,10 @@ std::string fault(const std::vector<Grasp<3>>& scenarios, const Best<3>& best,
     }
   }
   double shares = 0, weight = 0;
-  for (const Contact<3>& contact : scenarios.front().contacts()) shares += contact.share;
-  for (const Grasp<3>& grasp : scenarios) weight = std::max(weight, grasp.size());
+  for (const Contact<3>& contact : cases.front().contacts()) shares += contact.share;
+  for (const Grasp<3>& grasp : cases) weight = std::max(weight, grasp.size());
   if (bound <= weight * weight / shares * (1 + 1e-12)) return "";  // forces add up to the weight
-  const Planes planes = planes_of(scenarios, best.proof.cuts, bound);
+  const Planes planes = planes_of(cases, best.proof.cuts, bound);
   if (best.proof.cuts.size() <= 45 && farthest_of_all_corners(planes) <= 1 + 1e-7L) return "";
   // What the cuts leave may also lie outside: heavier loads that need less.
   for (const Vector<3>& up : directions(4000)) {
@@ -139,24 +139,24 @@ RC_GTEST_PROP(SpaceBest, IsCertifiedForRandomHands, ()) {
   if (!one_in(10)) return;
   const bool soft = one_in(2);
   const Held held = random_hand(static_cast<std::size_t>(pick(3, 8)), soft);
-  const std::vector<Grasp<3>> scenarios = {held.grasp()};
+  const std::vector<Grasp<3>> cases = {held.grasp()};
   SpatialSettings settings;
   settings.starts = 0;
-  const Best<3> best = best_posture(together(scenarios), settings);
-  RC_ASSERT(fault(scenarios, best, settings, 300) == "");
+  const Best<3> best = best_posture(together(cases), settings);
+  RC_ASSERT(fault(cases, best, settings, 300) == "");
   if (best.holdable()) RC_ASSERT(best.status == Status::optimal || best.relative_gap < 1e-3);
 }
 
 RC_GTEST_PROP(SpaceBest, IsHonestForAnyGrasp, ()) {
   if (!one_in(10)) return;
   const Held held = *grasps({.most_contacts = 6});
-  const std::vector<Grasp<3>> scenarios = {held.grasp()};
+  const std::vector<Grasp<3>> cases = {held.grasp()};
   SpatialSettings settings;
   settings.starts = 0;
   settings.max_holds = 200;
   if (one_in(3)) settings.tilt = Tilt{random_direction(), real(0, pi / 2)};
-  const Best<3> best = best_posture(together(scenarios), settings);
-  RC_ASSERT(fault(scenarios, best, settings, 200) == "");
+  const Best<3> best = best_posture(together(cases), settings);
+  RC_ASSERT(fault(cases, best, settings, 200) == "");
 }
 
 TEST(SpaceBest, IsCertifiedWhereFingersMustPress) {
@@ -166,11 +166,11 @@ TEST(SpaceBest, IsCertifiedWhereFingersMustPress) {
     Held held = random_hand(static_cast<std::size_t>(pick(3, 8)), one_in(2));
     for (Contact<3>& contact : held.contacts)
       if (one_in(2)) contact.min_normal = held.object.weight * real(0.1, 1);
-    const std::vector<Grasp<3>> scenarios = {held.grasp()};
+    const std::vector<Grasp<3>> cases = {held.grasp()};
     SpatialSettings settings;
     settings.starts = 0;
-    const Best<3> best = best_posture(together(scenarios), settings);
-    RC_ASSERT(fault(scenarios, best, settings, 300) == "");
+    const Best<3> best = best_posture(together(cases), settings);
+    RC_ASSERT(fault(cases, best, settings, 300) == "");
     RC_ASSERT(best.status != Status::gap);
     ++tried;
   });
@@ -184,14 +184,14 @@ RC_GTEST_PROP(SpaceBest, OfScenariosIsTheirWorstCase, ()) {
   Held other = held;
   other.object.weight = real(0.3, 1);
   other.object.com += 0.2 * random_direction();
-  const std::vector<Grasp<3>> scenarios = {held.grasp(), other.grasp()};
+  const std::vector<Grasp<3>> cases = {held.grasp(), other.grasp()};
   SpatialSettings settings;
   settings.starts = 0;
-  const Best<3> best = best_posture(together(scenarios), settings);
-  RC_ASSERT(fault(scenarios, best, settings, 300) == "");
+  const Best<3> best = best_posture(together(cases), settings);
+  RC_ASSERT(fault(cases, best, settings, 300) == "");
   if (!best.holdable()) return;
   RC_ASSERT(best.best().holds.size() == 2U);
-  RC_ASSERT(close(effort_at(scenarios, best.best().up), best.best().effort(), 1e-9L));
+  RC_ASSERT(close(effort_at(cases, best.best().up), best.best().effort(), 1e-9L));
 }
 
 RC_GTEST_PROP(SpaceBest, TurnsWithTheFrame, ()) {
@@ -454,17 +454,17 @@ TEST(SpaceBest, OfATiltedTrayStaysWithinTheTilt) {
     held.contacts.push_back(contact({std::cos(at), std::sin(at), 0}, {0, 0, 1}, 0.5));
   }
   SpatialSettings free, tilted;
-  const std::vector<Grasp<3>> scenarios = {held.grasp()};
-  const Best<3> any = best_posture(together(scenarios), free);
+  const std::vector<Grasp<3>> cases = {held.grasp()};
+  const Best<3> any = best_posture(together(cases), free);
   ASSERT_TRUE(any.holdable());
   tilted.tilt = Tilt{Vector<3>(0.3, 0, 1).normalized(), 0.1};
-  const Best<3> within = best_posture(together(scenarios), tilted);
+  const Best<3> within = best_posture(together(cases), tilted);
   ASSERT_TRUE(within.holdable());
   EXPECT_EQ(within.status, Status::optimal);
-  EXPECT_EQ(fault(scenarios, within, tilted, 5000), "");
+  EXPECT_EQ(fault(cases, within, tilted, 5000), "");
   EXPECT_GE(within.best().effort(), any.best().effort() * (1 - 1e-9));
   tilted.tilt->most = 0;
-  const Best<3> fixed = best_posture(together(scenarios), tilted);
+  const Best<3> fixed = best_posture(together(cases), tilted);
   ASSERT_TRUE(fixed.holdable());
   EXPECT_NEAR((fixed.best().up - tilted.tilt->from).norm(), 0, 1e-9);
   EXPECT_EQ(fixed.status, Status::optimal);
@@ -481,13 +481,13 @@ TEST(SpaceBest, WithinANarrowTiltIsCertifiedForTwoScenarios) {
   Held other = held;
   other.object.weight = 0.755;
   other.object.com = {-0.14781867822573522, 0.12623062379304392, 0.047068758050489976};
-  const std::vector<Grasp<3>> scenarios = {held.grasp(), other.grasp()};
+  const std::vector<Grasp<3>> cases = {held.grasp(), other.grasp()};
   SpatialSettings settings;
   settings.tilt = Tilt{Vector<3>(0.88603639958247582, -0.21625453505887518, 0.41008959348097718),
                        3.312 * pi / 180};
-  const Best<3> best = best_posture(together(scenarios), settings);
+  const Best<3> best = best_posture(together(cases), settings);
   EXPECT_EQ(best.status, Status::optimal);
-  EXPECT_EQ(fault(scenarios, best, settings, 2000), "");
+  EXPECT_EQ(fault(cases, best, settings, 2000), "");
   for (const Minimum<3>& minimum : best.minima)
     EXPECT_LE(std::acos(minimum.up.dot(settings.tilt->from)), settings.tilt->most + 1e-8);
 }
@@ -517,11 +517,11 @@ TEST(SpaceBest, WithLimitsIsHonest) {
       held.contacts.back().max_normal = 0.8 + 0.1 * k;
       if (round % 2 == 1 && k < 2) held.contacts.back().min_normal = 0.2;
     }
-    const std::vector<Grasp<3>> scenarios = {held.grasp()};
+    const std::vector<Grasp<3>> cases = {held.grasp()};
     SpatialSettings settings;
     settings.starts = 0;
-    const Best<3> best = best_posture(together(scenarios), settings);
-    EXPECT_EQ(fault(scenarios, best, settings, 2000), "") << round;
+    const Best<3> best = best_posture(together(cases), settings);
+    EXPECT_EQ(fault(cases, best, settings, 2000), "") << round;
     if (round % 2 == 0) {
       EXPECT_NE(best.status, Status::gap) << round << ' ' << best.relative_gap;
     }

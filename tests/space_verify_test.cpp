@@ -10,7 +10,7 @@ namespace poise::test::space {
 namespace {
 
 /// Two to twelve contacts of mixed kinds, or fingers whose friction is only just enough; now and
-/// then a second scenario, or a tilt.
+/// then a second load, or a tilt.
 SpatialFile random_file(bool least_forces) {
   const Held held = one_in(4) ? *nearly_unholdable()
                               : *grasps({.least_contacts = 2,

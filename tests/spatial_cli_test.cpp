@@ -41,7 +41,7 @@ const std::string filled =
     "dimension: 3\n"
     "object:\n"
     "  shape: {sphere: {radius: 1}}\n"
-    "  scenarios: [{weight: 10, com: [0.1, 0, 0]}, {weight: 6, com: [0, 0, -0.4]}, {weight: 2}]\n" +
+    "loads: [{weight: 10, com: [0.1, 0, 0]}, {weight: 6, com: [0, 0, -0.4]}, {weight: 2}]\n" +
     ball.substr(ball.find("contacts:"));
 
 /// Two smooth fingers on one line: nothing carries what is across it.
@@ -88,18 +88,18 @@ class Space : public CommandLine {
  protected:
   /// Judges a hold of a file by its statics, with what `check` says of the file.
   static void judge(const Json& hold, const Json& check) {
-    const bool many = check["scenarios"].size() > 1;
+    const bool many = check["loads"].size() > 1;
     std::set<std::string> expected{"holdable",   "up",        "dual",   "lower_bound", "effort",
                                    "force_norm", "residual",  "manner", "all_loaded",  "fingers",
                                    "contacts",   "objective", "grip",   "drives"};
-    if (many) expected.insert({"scenario", "scenario_efforts", "scenario_holds"});
+    if (many) expected.insert({"load", "load_efforts", "load_holds"});
     std::set<std::string> given = keys(hold);
     for (const char* key : {"poise_result", "command", "options"}) given.erase(key);
     EXPECT_EQ(given, expected);
     EXPECT_EQ(hold["holdable"], true);
 
-    const std::size_t scenario = many ? hold["scenario"].get<std::size_t>() : 0;
-    const Json& object = check["scenarios"][scenario];
+    const std::size_t load = many ? hold["load"].get<std::size_t>() : 0;
+    const Json& object = check["loads"][load];
     const double weight = object["weight"];
     const Vector<3> up = vector(hold["up"]), com = vector(object["com"]);
     const std::vector<Held> contacts = contacts_of(check);
@@ -151,9 +151,9 @@ class Space : public CommandLine {
                                                            : hold["grip"].get<double>());
     EXPECT_EQ(hold["grip"], grip);
     if (many) {
-      ASSERT_EQ(hold["scenario_efforts"].size(), check["scenarios"].size());
-      EXPECT_EQ(hold["scenario_efforts"][scenario], hold["effort"]);
-      for (const Json& other : hold["scenario_efforts"]) EXPECT_LE(other, hold["effort"]);
+      ASSERT_EQ(hold["load_efforts"].size(), check["loads"].size());
+      EXPECT_EQ(hold["load_efforts"][load], hold["effort"]);
+      for (const Json& other : hold["load_efforts"]) EXPECT_LE(other, hold["effort"]);
     }
   }
 };
@@ -203,22 +203,22 @@ TEST_F(Space, WhatCannotBeHeldHasItsReason) {
       << run.out;
 }
 
-TEST_F(Space, AScenarioThatCannotBeHeldDecides) {
+TEST_F(Space, ALoadThatCannotBeHeldDecides) {
   // Held from below by three smooth fingers: only over their triangle.
   const std::string tripod =
-      "poise: 1\ndimension: 3\nobject: {scenarios: [{weight: 1, com: [0, 0, 1]}, "
-      "{weight: 1, com: [2, 0, 1]}]}\ncontacts:\n"
+      "poise: 1\ndimension: 3\nobject: {weight: 1}\nloads: [{com: [0, 0, 1]}, "
+      "{com: [2, 0, 1]}]\ncontacts:\n"
       "  - {position: [1, 0, 0], normal: [0, 0, 1], friction: 0}\n"
       "  - {position: [-1, 1, 0], normal: [0, 0, 1], friction: 0}\n"
       "  - {position: [-1, -1, 0], normal: [0, 0, 1], friction: 0}\n";
   write("tripod.yaml", tripod);
   const Json hold = json("hold tripod.yaml --objective effort", 1);
-  EXPECT_EQ(hold["scenario"], 1);
-  EXPECT_NEAR(hold["scenario_efforts"][0], 0.375, 1e-9);  // 1/2, 1/4, 1/4
-  EXPECT_NEAR(json("hold tripod.yaml", 1)["scenario_efforts"][0], 0.5, 1e-9);
-  EXPECT_TRUE(hold["scenario_efforts"][1].is_null());
+  EXPECT_EQ(hold["load"], 1);
+  EXPECT_NEAR(hold["load_efforts"][0], 0.375, 1e-9);  // 1/2, 1/4, 1/4
+  EXPECT_NEAR(json("hold tripod.yaml", 1)["load_grips"][0], 0.5, 1e-9);
+  EXPECT_TRUE(hold["load_efforts"][1].is_null());
   const Outcome run = poise("hold tripod.yaml");
-  EXPECT_NE(run.out.find("in scenario 1 it would"), run.out.npos) << run.out;
+  EXPECT_NE(run.out.find("against load 1 it would"), run.out.npos) << run.out;
 }
 
 /// Judges the document of `best` by itself; returns it.
@@ -284,11 +284,11 @@ class SpaceBest : public Space {
           EXPECT_LE(vector(cut["n"]).dot(vector(minimum["up"])), 1e-9);
         continue;
       }
-      EXPECT_EQ(keys(cut), (std::set<std::string>{"y", "scenario"}));
+      EXPECT_EQ(keys(cut), (std::set<std::string>{"y", "load"}));
       ASSERT_EQ(cut["y"].size(), 6U);
-      const std::size_t scenario = cut["scenario"];
-      ASSERT_LT(scenario, check["scenarios"].size());
-      const Json& object = check["scenarios"][scenario];
+      const std::size_t load = cut["load"];
+      ASSERT_LT(load, check["loads"].size());
+      const Json& object = check["loads"][load];
       Vector<3> v, omega;
       for (int k = 0; k < 3; ++k) {
         v[k] = cut["y"][static_cast<std::size_t>(k)];
@@ -305,8 +305,8 @@ class SpaceBest : public Space {
                                             (1 + c.friction * c.friction);
       }
       for (const Json& minimum : document["minima"]) {
-        const double known = check["scenarios"].size() > 1
-                                 ? minimum["scenario_efforts"][scenario].get<double>()
+        const double known = check["loads"].size() > 1
+                                 ? minimum["load_efforts"][load].get<double>()
                                  : minimum["effort"].get<double>();
         const Vector<3> up = vector(minimum["up"]), com = vector(object["com"]);
         const double weight = object["weight"], power = weight * up.dot(v + omega.cross(com));
@@ -458,7 +458,7 @@ TEST_F(SpaceBest, PeopleSeeNewtonsTurnAndProof) {
   const std::string out = poise("best filled.yaml").out;
   for (const char* words :
        {"  now ", "(0.000, 0.000, 1.000)  grip ", "  best ", "turn by", " about (", "Proven with",
-        "a quaternion", "Forces at the best, in scenario", "decides",
+        "a quaternion", "Forces at the best, against load", "decides",
         "Minima found, lowest first; there may be others"})
     EXPECT_NE(out.find(words), out.npos) << words << "\n" << out;
   EXPECT_EQ(out.find('\033'), out.npos);
@@ -468,7 +468,7 @@ TEST_F(SpaceBest, GivesTheAnswersThatTheExamplesTell) {
   fs::copy_file(POISE_EXAMPLES "/bottle.yaml", folder() / "bottle.yaml");
   const Json bottle = json("best bottle.yaml");
   EXPECT_NEAR(bottle["turn"]["rotation"]["angle_deg"], 86.00, 0.05);
-  EXPECT_NEAR(bottle["best"]["scenario_efforts"][0], bottle["best"]["scenario_efforts"][1], 0.05);
+  EXPECT_NEAR(bottle["best"]["load_grips"][0], bottle["best"]["load_grips"][1], 0.05);
   const std::string table = poise("best bottle.yaml").out;
   EXPECT_NE(table.find("(0.000, 0.000, 1.000)  grip 12.26 N"), table.npos) << table;
   EXPECT_NE(table.find("grip 9.880 N  pinched  turn by 86"), table.npos) << table;
@@ -564,20 +564,20 @@ TEST_F(Space, ChecksSayWhatWasUnderstood) {
   write("filled.yaml", filled + "tilt: {from: [0, 0, 2], max_deg: 40}\nup: [0, 2, 0]\n");
   const Json check = json("check filled.yaml");
   EXPECT_EQ(keys(check), (std::set<std::string>{"poise_result", "command", "options", "name",
-                                                "dimension", "safety", "up", "tilt", "scenarios",
+                                                "dimension", "safety", "up", "tilt", "loads",
                                                 "shape", "contacts", "force_closure", "warnings"}));
   EXPECT_EQ(check["dimension"], 3);
   EXPECT_EQ(check["up"], Json::parse("[0.0, 1.0, 0.0]"));
   EXPECT_EQ(check["tilt"]["from"], Json::parse("[0.0, 0.0, 1.0]"));
   EXPECT_NEAR(check["tilt"]["max_deg"], 40, 1e-12);
   EXPECT_EQ(check["shape"]["sphere"]["radius"], 1.0);
-  ASSERT_EQ(check["scenarios"].size(), 3U);
-  EXPECT_EQ(check["scenarios"][1]["weight"], 6.0);
+  ASSERT_EQ(check["loads"].size(), 3U);
+  EXPECT_EQ(check["loads"][1]["weight"], 6.0);
   EXPECT_EQ(check["contacts"][3]["finger"], "3");
   EXPECT_EQ(check["force_closure"], true);
   const Outcome run = poise("check filled.yaml");
   EXPECT_EQ(run.status, 0);
-  for (const char* words : {"weight 1", "sphere, radius 1.000 m", "with (0.000, 1.000, 0.000) up",
+  for (const char* words : {"load 1", "sphere, radius 1.000 m", "with (0.000, 1.000, 0.000) up",
                             "at most 40.00° from (0.000, 0.000, 1.000)", "No warnings."})
     EXPECT_NE(run.out.find(words), run.out.npos) << words << "\n" << run.out;
 }
@@ -604,7 +604,7 @@ TEST_F(Space, ContactsOfAGripperAreAGraspFile) {
   const Json check = json("check parts/jaws.yaml");
   ASSERT_EQ(check["contacts"].size(), 2U);
   EXPECT_EQ(check["contacts"][0]["pad"]["points"].size(), 4U);
-  EXPECT_NEAR(check["scenarios"][0]["weight"], 0.04 * 0.06 * 0.08 * 800 * standard_gravity, 1e-9);
+  EXPECT_NEAR(check["loads"][0]["weight"], 0.04 * 0.06 * 0.08 * 800 * standard_gravity, 1e-9);
   const Json now = json("hold parts/jaws.yaml");
   EXPECT_EQ(now["holdable"], true);
   for (const std::string out : {"here.yaml", "other/there.json"}) {
@@ -613,7 +613,7 @@ TEST_F(Space, ContactsOfAGripperAreAGraspFile) {
     EXPECT_EQ(run.out, "Wrote " + out + "\n");
     const Json again = json("check " + out);
     EXPECT_EQ(again["contacts"], check["contacts"]);
-    EXPECT_EQ(again["scenarios"], check["scenarios"]);
+    EXPECT_EQ(again["loads"], check["loads"]);
     EXPECT_EQ(json("hold " + out), now);
   }
   const Outcome printed = poise("contacts parts/jaws.yaml");
@@ -649,8 +649,8 @@ TEST_F(Space, ExamplesWithMeshesAnswerAsTheyAreSaidTo) {
     const Outcome run = poise(command + " " + example(name) + " --json");
     EXPECT_EQ(run.status, 0) << run.err;
     const Json document = Json::parse(run.out), hold = *part ? document[part] : document;
-    // With several scenarios the table has the grip of the one that presses hardest.
-    if (!hold.contains("scenario")) {
+    // With several loads the table has the grip of the one that presses hardest.
+    if (!hold.contains("load")) {
       EXPECT_NEAR(hold["grip"], std::stod(words), 0.01) << name << " " << words;
     } else {
       const std::string table = poise(command + " " + example(name)).out;
@@ -664,7 +664,7 @@ TEST_F(Space, ExamplesWithMeshesAnswerAsTheyAreSaidTo) {
   }
   // The bracket's centre of mass, by its two legs: in neither of them.
   const Vector<3> com =
-      vector(json("check " + example("bracket-parallel-jaw"))["scenarios"][0]["com"]);
+      vector(json("check " + example("bracket-parallel-jaw"))["loads"][0]["com"]);
   const double foot = 0.1 * 0.012, wall = 0.012 * 0.068;
   EXPECT_NEAR(com.x(), (foot * 0.05 + wall * 0.006) / (foot + wall), 1e-9);
   EXPECT_NEAR(com.z(), (foot * 0.006 + wall * 0.046) / (foot + wall), 1e-9);

@@ -20,9 +20,10 @@ tilt: {from: [0, 0, 2], max_deg: 30}
 domain: all
 object:
   shape: {cylinder: {radius: 30, height: 200}}
-  scenarios:
-    - {mass: 1}
-    - {weight: 5, com: [0, 0, -50]}
+  mass: 1
+loads:
+  - {name: full}
+  - {weight: 5, com: [0, 0, -50]}
 contacts:
   - {position: [18, 24, 10], friction: 0.5, torsion: 4, finger: left}
   - {position: [0, 0, -100], normal: [0, 0, 2], friction: 0, max_normal: 7}
@@ -32,7 +33,8 @@ const std::string json = R"({
   "poise": 1, "dimension": 3, "name": "bottle", "safety": 2, "length_unit": "mm", "up": [0, 3, 4],
   "tilt": {"from": [0, 0, 2], "max_deg": 30}, "domain": "all",
   "object": {"shape": {"cylinder": {"radius": 30, "height": 200}},
-             "scenarios": [{"mass": 1}, {"weight": 5, "com": [0, 0, -50]}]},
+             "mass": 1},
+  "loads": [{"name": "full"}, {"weight": 5, "com": [0, 0, -50]}],
   "contacts": [
     {"position": [18, 24, 10], "friction": 0.5, "torsion": 4, "finger": "left"},
     {"position": [0, 0, -100], "normal": [0, 0, 2], "friction": 0, "max_normal": 7}]})";
@@ -141,17 +143,17 @@ TEST(SpatialFile, WarnsOfWhatLooksLikeAMistake) {
                     length = "it is a length, about the size of the touching area";
   EXPECT_EQ(read(top + "normals: outward\n" + object + contacts).warnings.size(), 2U);
   EXPECT_EQ(
-      read(top + "object:\n  shape: {box: {size: [2, 2, 2]}}\n  scenarios:\n    - {weight: 1}\n" +
-           "    - {mass: 20000, com: [0, 0, 1.5]}\ncontacts:\n" +
+      read(top + "object:\n  shape: {box: {size: [2, 2, 2]}}\n  weight: 1\nloads:\n" +
+           "    - {mass: 20000, com: [0, 0, 1.5]}\n    - {name: other}\ncontacts:\n" +
            "  - {position: [1, 0, 0], normal: [-1, 0, 0.2], friction: 0.5, torsion: 5}\n" +
            "  - {position: [1, 0, 0], friction: 30}\n")
           .warnings,
-      (Lines{"f.yaml:7:14: object.scenarios[1].mass: makes a weight of 1.96e+05 N: " + unit,
-             "f.yaml:7:26: object.scenarios[1].com: lies outside the shape",
-             "f.yaml:9:35: contacts[0].normal: is 11.3 degrees away from " + inward,
-             "f.yaml:9:73: contacts[0].torsion: is 5 m, more than the size of the grasp: " + length,
-             "f.yaml:10:37: contacts[1].friction: is 30, uncommonly high: is it an angle?",
-             "f.yaml:10:16: contacts[1].position: is the same as that of contacts[0]"}));
+      (Lines{"f.yaml:7:14: loads[0].mass: makes a weight of 1.96e+05 N: " + unit,
+             "f.yaml:7:26: loads[0].com: lies outside the shape",
+             "f.yaml:10:35: contacts[0].normal: is 11.3 degrees away from " + inward,
+             "f.yaml:10:73: contacts[0].torsion: is 5 m, more than the size of the grasp: " + length,
+             "f.yaml:11:37: contacts[1].friction: is 30, uncommonly high: is it an angle?",
+             "f.yaml:11:16: contacts[1].position: is the same as that of contacts[0]"}));
 }
 
 }  // namespace

@@ -368,7 +368,8 @@ TEST(Verify, RefusesWhatIsOffInSpace) {
 SpatialFile filled() {
   return std::get<SpatialFile>(grasp_from_yaml(
       "poise: 1\ndimension: 3\n"
-      "object: {scenarios: [{weight: 8, com: [0, 0, 0.2]}, {weight: 3, com: [0.1, 0, -0.3]}]}\n"
+      "object: {weight: 8, com: [0, 0, 0.2]}\n"
+      "loads: [{name: full}, {weight: 3, com: [0.1, 0, -0.3]}]\n"
       "contacts:\n"
       "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 0.7, torsion: 0.2}\n"
       "  - {position: [-1, 0.1, 0], normal: [1, 0, 0], friction: 0.8, torsion: 0.2}\n"
@@ -376,7 +377,7 @@ SpatialFile filled() {
       "filled.yaml"));
 }
 
-TEST(Verify, RefusesWhatIsOffWithScenariosAndLimits) {
+TEST(Verify, RefusesWhatIsOffWithLoadsAndLimits) {
   const SpatialFile file = filled();
   const Vector<3> up = Vector<3>(0.1, 0.05, 1).normalized();
   expect_spoilt_refused(file, hold_text(file, up), 3);
@@ -384,20 +385,20 @@ TEST(Verify, RefusesWhatIsOffWithScenariosAndLimits) {
   expect_spoilt_refused(file, best_text(file, lying), 3);
 }
 
-TEST(Verify, RefusesScenariosThatAreNotProven) {
+TEST(Verify, RefusesLoadsThatAreNotProven) {
   const SpatialFile file = filled();
   const Vector<3> up = Vector<3>(0.1, 0.05, 1).normalized();
   const Json hold = Json::parse(hold_text(file, up));
   EXPECT_EQ(words(file, hold.dump()), "");
-  const std::size_t decides = hold["scenario"].get<std::size_t>(), other = 1 - decides;
-  ASSERT_TRUE(hold["scenario_holds"][other].is_object());
+  const std::size_t decides = hold["load"].get<std::size_t>(), other = 1 - decides;
+  ASSERT_TRUE(hold["load_holds"][other].is_object());
   Json copy = hold;  // the one that does not decide, as if it did
-  copy.update(copy["scenario_holds"][other]);
-  copy["scenario"] = other;
-  copy["scenario_holds"][other] = nullptr;
+  copy.update(copy["load_holds"][other]);
+  copy["load"] = other;
+  copy["load_holds"][other] = nullptr;
   EXPECT_FALSE(checked(file, copy.dump()).confirmed());
   copy = hold;
-  for (Json& number : copy["scenario_holds"][other]["dual"]) number = -number.get<double>();
+  for (Json& number : copy["load_holds"][other]["dual"]) number = -number.get<double>();
   EXPECT_FALSE(checked(file, copy.dump()).confirmed());
 }
 

@@ -60,8 +60,9 @@ TEST(GraspWriter, WritesEveryKey) {
 TEST(GraspWriter, WritesEveryKeyInSpace) {
   const std::string text = R"({"poise": 1, "dimension": 3, "name": "n", "safety": 1.25,
     "up": [0, -1, 0], "tilt": {"from": [0, 0, 1], "max_deg": 90},
-    "object": {"scenarios": [{"weight": 3, "com": [0.1, 0, 0]}, {"weight": 2, "com": [0, 0, 1]}],
-               "shape": {"ellipsoid": {"radii": [1, 0.5, 2]}}},
+    "object": {"weight": 3, "com": [0.1, 0, 0], "shape": {"ellipsoid": {"radii": [1, 0.5, 2]}}},
+    "loads": [{"name": "one"}, {"weight": 2, "com": [0, 0, 1], "acceleration": {"up": 2}},
+              {"acceleration": {"fixed": [0, 1, 2]}, "force": [1, 0, 0], "moment": [0, 2, 0]}],
     "contacts": [{"position": [1, 0, 0], "normal": [-1, 0.25, 0], "friction": 0.3, "torsion": 0.01,
                   "min_normal": 0.5, "max_normal": 7, "share": 0.5, "finger": "f"},
                  {"position": [-1, 0, 0], "friction": 1}]})";
@@ -137,7 +138,7 @@ TEST_F(View, InSpace) {
   install_page();
   ASSERT_EQ(poise("view '" POISE_EXAMPLES "/bottle.yaml'"), 0) << text("err.txt");
   const std::string page = text("bottle.html");
-  EXPECT_NE(page.find(R"("scenarios": [)"), std::string::npos);
+  EXPECT_NE(page.find(R"("loads": [)"), std::string::npos);
 }
 
 TEST_F(View, ABadFileLeavesNoPage) {

@@ -54,8 +54,19 @@ void fields(Pad& pad, auto& visit) {
 void fields(Cut& cut, auto& visit) {
   visit.maybe("n", cut.n);
   if (cut.n) return;
-  visit("y", cut.y, "scenario", cut.load);
+  visit("y", cut.y, "load", cut.load);
   visit.maybe("rates", cut.rates);
+}
+
+/// The fields of a load beside its name, as a check tells them: calls visit(name, pointer to
+/// member).
+template <int Dim, class Visit>
+void for_each_load_field(const Visit& visit) {
+  visit("weight", &Load<Dim>::weight);
+  visit("com", &Load<Dim>::com);
+  visit("lift", &Load<Dim>::lift);
+  visit("acceleration", &Load<Dim>::acceleration);
+  visit("fixed", &Load<Dim>::fixed);
 }
 
 /// What one contact does.
@@ -111,9 +122,11 @@ struct HoldClaim {
   bool holdable{false};
   Vector<Dim> up;
   double angle_deg{0};                                    ///< in the plane
-  std::optional<std::size_t> scenario{};                  ///< that decides, where there are several
-  std::vector<std::optional<double>> scenario_efforts{};  ///< null: cannot be held
-  std::vector<std::optional<HoldClaim>> scenario_holds;   ///< null: this one, or cannot be held
+  // Where there are several loads.
+  std::optional<std::size_t> load{};  ///< that decides
+  /// What each needs, in the objective; null: cannot be held.
+  std::optional<std::vector<std::optional<double>>> load_grips{}, load_efforts{};
+  std::vector<std::optional<HoldClaim>> load_holds;  ///< null: this one, or cannot be held
   Objective objective{Objective::effort};
   Twist<Dim> dual;                             ///< told as `y` for the grip
   std::optional<std::vector<double>> rates{};  ///< of the drives, where they say something
@@ -131,8 +144,9 @@ struct HoldClaim {
   void fields(auto& visit) {
     visit("holdable", holdable, "up", up);
     if constexpr (Dim == 2) visit("angle_deg", angle_deg);
-    visit.maybe("scenario", scenario);
-    if (scenario) visit("scenario_efforts", scenario_efforts, "scenario_holds", scenario_holds);
+    visit.maybe("load", load);
+    visit.maybe("load_grips", load_grips, "load_efforts", load_efforts);
+    if (load) visit("load_holds", load_holds);
     visit("objective", objective);
     visit(objective == Objective::grip ? "y" : "dual", dual);
     visit.maybe("rates", rates);
@@ -475,7 +489,7 @@ struct CapacityClaim {
   std::string posture;
   Vector<Dim> up;
   double angle_deg{0};                    ///< in the plane
-  std::optional<std::size_t> scenario{};  ///< the load, where there are several
+  std::optional<std::size_t> load{};  ///< where there are several
   WeightClaim<Dim> weight{};
   FrictionClaim<Dim> friction{};
   HoldClaim<Dim> command{};
@@ -483,7 +497,7 @@ struct CapacityClaim {
   void fields(auto& visit) {
     visit("posture", posture, "up", up);
     if constexpr (Dim == 2) visit("angle_deg", angle_deg);
-    visit.maybe("scenario", scenario);
+    visit.maybe("load", load);
     visit("weight", weight, "friction", friction, "command", command);
   }
 };

@@ -110,16 +110,23 @@ HoldClaim<Dim> hold_claim(const Hand<Dim>& hand, double weight, const Posture<Di
 template <int Dim>
 HoldClaim<Dim> hold_claim(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
   const std::vector<Load<Dim>>& loads = grasp.loads();
-  HoldClaim<Dim> claim = hold_claim(grasp, loads[posture.decides].weight, posture);
+  const auto size = [&](std::size_t k) { return loads[k].size(grasp.length()); };
+  HoldClaim<Dim> claim = hold_claim(grasp, size(posture.decides), posture);
   if (loads.size() == 1) return claim;
-  claim.scenario = posture.decides;
+  claim.load = posture.decides;
+  // That nothing holds is told in terms of the effort.
+  const auto is_grip = [](const Hold<Dim>& hold) { return hold.objective == Objective::grip; };
+  auto& values = std::any_of(posture.holds.begin(), posture.holds.end(), is_grip)
+                     ? claim.load_grips
+                     : claim.load_efforts;
+  values.emplace();
   for (std::size_t k = 0; k < loads.size(); ++k) {
     const Hold<Dim>& hold = posture.holds[k];
-    claim.scenario_efforts.push_back(hold.holdable ? finite(hold.value()) : std::nullopt);
-    claim.scenario_holds.emplace_back();
+    values->push_back(hold.holdable ? finite(hold.value()) : std::nullopt);
+    claim.load_holds.emplace_back();
     if (k != posture.decides && hold.holdable)
-      claim.scenario_holds.back() = hold_claim<Dim>(grasp, loads[k].weight, posture.up, hold,
-                                                    manner<Dim>(grasp, loads[k], posture.up, hold));
+      claim.load_holds.back() = hold_claim<Dim>(grasp, size(k), posture.up, hold,
+                                                manner<Dim>(grasp, loads[k], posture.up, hold));
   }
   return claim;
 }
@@ -379,21 +386,23 @@ Json contact_value(const Contact<Dim>& contact) {
   return result;
 }
 
-Json load_value(const auto& load) {
-  return {{"weight", load.weight}, {"com", json_value(load.com)}};
+template <int Dim>
+Json load_value(const Load<Dim>& load) {
+  Json result = Json::object();
+  if (!load.name.empty()) result["name"] = load.name;
+  for_each_load_field<Dim>(
+      [&](const char* name, auto member) { result[name] = json_value(load.*member); });
+  return result;
 }
 
-void add_posture(Json& result, const PlanarFile& file, const Grasp<2>& grasp) {
+void add_posture(Json& result, const PlanarFile& file) {
   result["angle_deg"] = file.angle ? Json(degrees(*file.angle)) : Json();
   result["domain"] = words_of(file.domain)[static_cast<std::size_t>(file.domain)];
-  result.update(load_value(grasp.loads().front()));
 }
 
-void add_posture(Json& result, const SpatialFile& file, const Grasp<3>& grasp) {
+void add_posture(Json& result, const SpatialFile& file) {
   result["up"] = file.up ? json_value(*file.up) : Json();
   result["tilt"] = file.tilt ? tilt_value(*file.tilt) : Json();
-  result["scenarios"] = Json::array();
-  for (const Load<3>& load : grasp.loads()) result["scenarios"].push_back(load_value(load));
 }
 
 }  // namespace
@@ -472,10 +481,10 @@ CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Di
     const Load<Dim>& load = grasp.loads()[at.load];
     CapacityClaim<Dim> capacity{.posture = at.posture, .up = at.up};
     if constexpr (Dim == 2) capacity.angle_deg = degrees(angle_of(at.up));
-    if (grasp.loads().size() > 1) capacity.scenario = at.load;
+    if (grasp.loads().size() > 1) capacity.load = at.load;
     capacity.weight = weight_claim<Dim>(grasp, load, at.capacity.weights);
     capacity.friction = friction_claim<Dim>(grasp, load, at.capacity.friction);
-    capacity.command = hold_claim<Dim>(safe, load.weight, at.capacity.safe);
+    capacity.command = hold_claim<Dim>(safe, load.size(grasp.length()), at.capacity.safe);
     claim.capacities.push_back(std::move(capacity));
   }
   return claim;
@@ -489,7 +498,9 @@ std::string document(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                  {"name", file.name},
                  {"dimension", Dim},
                  {"safety", file.safety}});
-  add_posture(result, file, grasp);
+  add_posture(result, file);
+  result["loads"] = Json::array();
+  for (const Load<Dim>& load : grasp.loads()) result["loads"].push_back(load_value<Dim>(load));
   result["shape"] = file.shape ? shape_value(*file.shape) : Json();
   result["contacts"] = Json::array();
   for (const Contact<Dim>& contact : grasp.contacts())

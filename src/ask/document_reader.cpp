@@ -133,27 +133,30 @@ Contact<Dim> read_contact(const Field& field) {
 }
 
 template <int Dim>
+Load<Dim> read_load(const Field& field) {
+  Load<Dim> load;
+  Reader read(field, {"name"});
+  if (const auto name = field.find("name")) load.name = name->text();
+  for_each_load_field<Dim>([&](const char* name, auto member) { read(name, load.*member); });
+  read.finish();
+  return load;
+}
+
+template <int Dim>
 CheckDocument<Dim> read_check(const Field& root) {
   CheckDocument<Dim> check;
   Reader read(root, {"poise_result", "command", "options", "name", "shape", "warnings", "contacts",
-                     "scenarios"});
+                     "loads"});
   root.get("options", "{}").mapping({});
   read("dimension", check.dimension, "safety", check.safety);
   read("force_closure", check.force_closure);
-  if constexpr (Dim == 2) {
-    Load<2>& load = check.loads.emplace_back();
+  if constexpr (Dim == 2)
     read("angle_deg", check.angle_deg, "domain", check.domain, "fork_deg", check.fork);
-    read("weight", load.weight, "com", load.com);
-  } else {
+  else
     read("up", check.up, "tilt", check.tilt);
-    for (const Field& field : root.get("scenarios", "a list of loads").list()) {
-      Load<3>& load = check.loads.emplace_back();
-      Reader read_load(field);
-      read_load("weight", load.weight, "com", load.com);
-      read_load.finish();
-    }
-  }
   read.finish();
+  for (const Field& field : root.get("loads", "a list of loads").list())
+    check.loads.push_back(read_load<Dim>(field));
   for (const Field& field : root.get("contacts", "a list of contacts").list())
     check.contacts.push_back(read_contact<Dim>(field));
   return check;

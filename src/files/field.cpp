@@ -92,6 +92,8 @@ bool Field::truth() const {
 
 bool Field::is_null() const { return std::holds_alternative<std::monostate>(value_->data); }
 
+bool Field::is_list() const { return std::holds_alternative<List>(value_->data); }
+
 bool Field::is_text() const { return std::holds_alternative<std::string>(value_->data); }
 
 const std::string& Field::text() const {

@@ -35,6 +35,7 @@ class Field {
   bool truth() const;
   bool is_null() const;
   bool is_text() const;
+  bool is_list() const;
   /// A line of text, not empty.
   const std::string& text() const;
   /// One of these words.

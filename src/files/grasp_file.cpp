@@ -7,6 +7,7 @@
 #include "files/field.hpp"
 #include "files/grasp_document.hpp"
 #include "files/gripper_field.hpp"
+#include "files/load_field.hpp"
 #include "files/mechanism_field.hpp"
 #include "files/mesh_field.hpp"
 #include "files/plausible.hpp"
@@ -132,78 +133,6 @@ ShapeOf<Dim> read_shape(const Field& field, double unit, std::vector<std::string
   return scaled(shape, unit);
 }
 
-/// Why a shape has neither volume nor centroid, or nothing.
-template <int Dim>
-std::string without_volume(const std::optional<ShapeOf<Dim>>& shape) {
-  if (!shape) return "there is no shape";
-  if constexpr (Dim == 3)
-    if (const auto* mesh = std::get_if<MeshShape>(&*shape); mesh && !mesh->defect.empty())
-      return "the mesh " + mesh->defect;
-  return "";
-}
-
-/// [N], which may come out as 0 or too large.
-template <int Dim>
-double read_weight(const Field& object, const std::optional<ShapeOf<Dim>>& shape) {
-  const auto weight = object.find("weight"), mass = object.find("mass");
-  if (weight && mass) mass->fail("is given as well as weight, must be one of them");
-  if constexpr (Dim == 3)
-    if (const auto density = object.find("density")) {
-      if (weight || mass)
-        density->fail("is given as well as " + std::string(weight ? "weight" : "mass") +
-                      ", must be one of them");
-      if (const std::string why = without_volume<3>(shape); !why.empty())
-        density->fail("needs a volume, but " + why + ": give weight or mass");
-      return density->above_zero() * volume(*shape) * standard_gravity;
-    }
-  if (mass) return mass->above_zero() * standard_gravity;
-  return object.get("weight", "a force [N], or give mass [kg]").number();
-}
-
-/// Weight and centre of mass.
-template <int Dim>
-Load<Dim> read_load(const Field& field, double unit, const std::optional<ShapeOf<Dim>>& shape) {
-  Load<Dim> load;
-  const std::string why = without_volume<Dim>(shape);
-  std::optional<Inertial> link;
-  if constexpr (Dim == 3)
-    if (const auto inertial = field.find("inertial")) {
-      for (const char* key : {"weight", "mass", "density", "com"})
-        if (const auto other = field.find(key))
-          other->fail("is given as well as inertial, must be one of them");
-      link = read_inertial(*inertial);
-      load.com = link->com;
-    }
-  load.weight = link ? link->mass * standard_gravity : read_weight<Dim>(field, shape);
-  if (!(load.weight > 0) || !std::isfinite(load.weight * load.weight))
-    throw FileError(field.file(), field.follow("weight").place(), field.path() + ".weight",
-                    "is " + number_text(load.weight) + ", must be above 0");
-  if (link) return load;
-  if (const auto com = field.find("com"); com || !why.empty())
-    load.com =
-        unit *
-        field.get("com", std::string(coordinates<Dim>) + ", as " + why).template vector<Dim>();
-  else
-    load.com = centroid(*shape);
-  return load;
-}
-
-std::vector<Load<3>> read_scenarios(const Field& object, double unit,
-                                    const std::optional<Solid>& shape) {
-  const auto list = object.find("scenarios");
-  if (!list) return {read_load<3>(object, unit, shape)};
-  for (const char* key : {"weight", "mass", "density", "inertial", "com"})
-    if (const auto field = object.find(key))
-      field->fail("is given beside scenarios, must be given in each of them");
-  std::vector<Load<3>> loads;
-  for (const Field& scenario : list->list()) {
-    scenario.mapping({"weight", "mass", "density", "inertial", "com"});
-    loads.push_back(read_load<3>(scenario, unit, shape));
-  }
-  if (loads.empty()) list->fail("is empty, must hold at least one scenario");
-  return loads;
-}
-
 template <int Dim>
 Keys contact_keys() {
   Keys keys;
@@ -296,7 +225,7 @@ template <int Dim>
 void read_head(const Field& root, CommonFile<Dim>& file) {
   check_keys<Dim>(root,
                   {"poise", "dimension", "name", "safety", "objective", "domain", "length_unit",
-                   "normals", "object", "contacts", "fingers", "drives"},
+                   "normals", "object", "loads", "contacts", "fingers", "drives"},
                   {"angle_deg"}, {"up", "tilt", "gripper"});
   if (const auto name = root.find("name")) file.name = name->text();
   if (const auto safety = root.find("safety")) file.safety = safety->number();
@@ -308,8 +237,10 @@ void read_head(const Field& root, CommonFile<Dim>& file) {
 template <int Dim>
 Field read_shape_of_object(const Field& root, double unit, CommonFile<Dim>& file) {
   const Field object = root.get("object", "a mapping");
-  check_keys<Dim>(object, {"weight", "mass", "com", "shape"}, {},
-                  {"density", "inertial", "scenarios"});
+  if (const auto scenarios = object.find("scenarios"))
+    scenarios->fail(
+        "is not known any more, must be `loads` of the file: a list of {name, mass, com}");
+  check_keys<Dim>(object, {"weight", "mass", "com", "shape"}, {}, {"density", "inertial"});
   if (const auto shape = object.find("shape"))
     file.shape = read_shape<Dim>(*shape, unit, file.warnings);
   return object;
@@ -386,7 +317,7 @@ PlanarFile read_planar(const Field& root) {
     file.domain = domain->word({"all", "pinching-up"}) == "all" ? Domain::all : Domain::pinching_up;
   const double unit = read_unit(root);
   const Field object = read_shape_of_object<2>(root, unit, file);
-  file.loads = {read_load<2>(object, unit, file.shape)};
+  file.loads = read_loads<2>(root, object, unit, file.shape);
   read_contacts<2>(root, unit, file);
   file.mechanism = read_mechanism<2>(root, unit, file.contacts);
   check_grasp<2>(root, file);
@@ -403,7 +334,7 @@ SpatialFile read_spatial(const Field& root) {
     domain->fail("pinching-up is for the plane, must be all: best_pinched is shown anyway");
   const double unit = read_unit(root);
   const Field object = read_shape_of_object<3>(root, unit, file);
-  file.loads = read_scenarios(object, unit, file.shape);
+  file.loads = read_loads<3>(root, object, unit, file.shape);
   if (const auto gripper = root.find("gripper"))
     close_gripper(root, *gripper, unit, file);
   else

@@ -21,7 +21,7 @@ struct CommonFile {
   std::string name{};
   double safety{1};
   std::optional<ShapeOf<Dim>> shape{};
-  std::vector<Load<Dim>> loads{};  ///< one; in space as many as the file has scenarios
+  std::vector<Load<Dim>> loads{};  ///< at least one
   std::vector<Contact<Dim>> contacts{};
   Mechanism<Dim> mechanism{};
   /// A file that says nothing asks for the grip, if its grasp has one.

@@ -81,9 +81,31 @@ void add_mechanism(Json& result, const Mechanism<Dim>& mechanism,
   }
 }
 
+/// The object of the first load, and what each load has that it has not.
 template <int Dim>
-Json load_value(const Load<Dim>& load) {
-  return {{"weight", load.weight}, {"com", json_value(load.com)}};
+void add_loads(Json& result, const std::vector<Load<Dim>>& loads) {
+  const Load<Dim>& first = loads.front();
+  result["object"] = {{"weight", first.weight}, {"com", json_value(first.com)}};
+  const Load<Dim> weight{.weight = first.weight, .com = first.com};
+  if (loads.size() == 1 && first == weight) return;
+  result["loads"] = Json::array();
+  for (const Load<Dim>& load : loads) {
+    Json entry = Json::object();
+    if (!load.name.empty()) entry["name"] = load.name;
+    if (load.weight != first.weight) entry["weight"] = load.weight;
+    if (load.com != first.com) entry["com"] = json_value(load.com);
+    if (load.lift != 0) entry["acceleration"]["up"] = load.lift;
+    if (!load.acceleration.isZero(0))
+      entry["acceleration"]["fixed"] = json_value(load.acceleration);
+    if (!load.fixed.isZero(0)) {
+      entry["force"] = json_value(Vector<Dim>(-load.fixed.template head<Dim>()));
+      if constexpr (Dim == 2)
+        entry["moment"] = -load.fixed[2];
+      else
+        entry["moment"] = json_value(Vector<3>(-load.fixed.template tail<3>()));
+    }
+    result["loads"].push_back(std::move(entry));
+  }
 }
 
 Json pose_value(const char* type, const Pose& pose) {
@@ -154,13 +176,7 @@ std::string grasp_document(const SpatialFile& file, WriteAs as, const std::strin
   Json result = head(file);
   if (file.up) result["up"] = json_value(*file.up);
   if (file.tilt) result["tilt"] = tilt_value(*file.tilt);
-  if (file.loads.size() == 1) {
-    result["object"] = load_value(file.loads.front());
-  } else {
-    result["object"]["scenarios"] = Json::array();
-    for (const Load<3>& load : file.loads)
-      result["object"]["scenarios"].push_back(load_value(load));
-  }
+  add_loads(result, file.loads);
   if (file.shape) {
     Solid shape = *file.shape;
     if (auto* mesh = std::get_if<MeshShape>(&shape); mesh && !folder.empty())
@@ -195,7 +211,7 @@ std::string grasp_document(const PlanarFile& file) {
   Json result = head(file);
   if (file.angle) result["angle_deg"] = degrees(*file.angle);
   if (file.domain == Domain::pinching_up) result["domain"] = "pinching-up";
-  result["object"] = load_value(file.loads.front());
+  add_loads(result, file.loads);
   if (file.shape) result["object"]["shape"] = shape_value(*file.shape);
   result["contacts"] = contact_values(file.contacts);
   add_mechanism(result, file.mechanism);

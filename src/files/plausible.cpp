@@ -6,6 +6,7 @@
 
 #include "dual/cone_pad.hpp"
 #include "files/degrees.hpp"
+#include "files/load_field.hpp"
 #include "shape/number_text.hpp"
 
 namespace poise {
@@ -29,7 +30,7 @@ class Doubts {
 };
 
 void check_weight(Doubts& doubts, double weight, const Field& object) {
-  if (weight < 1e-4 || weight > 1e5) {
+  if ((weight > 0 && weight < 1e-4) || weight > 1e5) {
     std::string key = "weight";
     for (const char* other : {"mass", "density", "inertial"})
       if (object.find(other)) key = other;
@@ -134,13 +135,6 @@ void check_mechanism(Doubts& doubts, const Grasp<Dim>& grasp) {
   }
 }
 
-/// The path of the object in a scenario: "object", or "object.scenarios[1]" where there are some.
-std::string object_path(const Field& root, std::size_t scenario) {
-  return root.follow("object").find("scenarios")
-             ? "object.scenarios[" + std::to_string(scenario) + "]"
-             : "object";
-}
-
 }  // namespace
 
 template <int Dim>
@@ -148,12 +142,22 @@ std::vector<std::string> doubts(const CommonFile<Dim>& file, const Grasp<Dim>& g
                                 const Field& root) {
   Doubts doubts(root);
   const std::vector<Load<Dim>>& loads = grasp.loads();
+  const std::vector<std::string> paths = load_paths<Dim>(root);
+  // A load takes from the object what its entry does not say, and then is that of others, too.
+  const auto says = [&](std::size_t k, const Keys& keys) {
+    const Field entry = root.follow(paths[k]);
+    const bool given = std::any_of(keys.begin(), keys.end(),
+                                   [&](auto key) { return entry.find(key).has_value(); });
+    return given && (k == 0 || paths[k] != paths[k - 1]);
+  };
   for (std::size_t k = 0; k < loads.size(); ++k)
-    check_weight(doubts, loads[k].weight, root.follow(object_path(root, k)));
+    if (const bool own = says(k, {"weight", "mass", "density", "inertial"}); own || k == 0)
+      check_weight(doubts, loads[k].weight, root.follow(own ? paths[k] : "object"));
   const bool gripped = root.find("gripper").has_value();
   check_radius(doubts, grasp, gripped ? "gripper" : "contacts");
   for (std::size_t k = 0; k < loads.size() && file.shape; ++k)
-    check_com<Dim>(doubts, loads[k].com, *file.shape, object_path(root, k));
+    if (const bool own = says(k, {"com", "inertial"}); own || k == 0)
+      check_com<Dim>(doubts, loads[k].com, *file.shape, own ? paths[k] : "object");
   check_mechanism(doubts, grasp);
 
   std::map<std::vector<double>, std::size_t> positions;

@@ -22,7 +22,7 @@ Real middle_of(const RealArc& arc) { return (arc.from + arc.to) / 2; }
 
 ArcForces check_contacts(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
                          const std::vector<ArcState>& states) {
-  const Real W = grasp.loads.front().weight;
+  const Real W = grasp.loads.front().size();
   const Mat3 w = load_matrix(grasp.loads.front());
   ArcForces forces{2 * arc.y.transpose() * w, w, 0, W};
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
@@ -86,16 +86,16 @@ void check_effort_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& a
   verdict.check(arc.place, "contacts keep to their faces along the arc [of y]", forces.outside,
                 1e-7L);
   // What y loses by its rounding, if it is not so long that nothing is left.
-  const Real rounded = 1e-15L * forces.length / load.weight;
+  const Real rounded = 1e-15L * forces.length / load.size();
   const Real digits = std::min(rounded, Real{1e-6L});
   // And of great forces, not more than shows.
   const Real norm = std::sqrt(std::max(arc.value.greatest(arc.from, arc.to), Real{0}));
   verdict.check(arc.place, "forces balance the load along the arc [weights]",
                 relative_size(forces.off, load, arc.from, arc.to),
-                1e-11L + digits + std::min(rounded, 2e-11L * norm / load.weight));
-  check_effort(verdict, arc, forces.Q, load.weight);
+                1e-11L + digits + std::min(rounded, 2e-11L * norm / load.size()));
+  check_effort(verdict, arc, forces.Q, load.size());
   check_proof(verdict, grasp, arc, digits);
-  const Real cap = force_cap * load.weight;
+  const Real cap = force_cap * load.size();
   verdict.check(arc.place, "V is within the force cap: V / cap^2",
                 arc.value.greatest(arc.from, arc.to) / (cap * cap), 1 + 1e-6L);
 }

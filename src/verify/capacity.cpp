@@ -32,9 +32,18 @@ RealGrasp with_weight(RealGrasp grasp, Real weight) {
   return grasp;
 }
 
-/// The contacts without max_normal alone. Of drives with a max check_idle sees that they do
-/// nothing.
+/// What the load's fixed wrench is alone [N].
+Real fixed_size(RealLoad load) {
+  load.weight = 0;
+  return load.size();
+}
+
+/// The contacts without max_normal alone, against the weight alone, beside which a fixed wrench is
+/// nothing where it is great enough. Of drives with a max check_idle sees that they do nothing.
 RealGrasp without_limits(RealGrasp grasp) {
+  RealLoad& load = grasp.loads.front();
+  load.fixed.setZero();
+  if (load.weight == 0) load.weight = 1;
   for (RealContact& contact : grasp.contacts) {
     contact.least = 0;
     if (std::isfinite(contact.most)) contact.most = 0;
@@ -78,7 +87,7 @@ void check_bound(Verdict& verdict, const Path& place, const Case& given, const T
   const Real proven = std::max(proof.fixed / proof.gain, Real{0});
   verdict.check(place, "no weight beyond the bound can be held, by its dual",
                 sign * proof.gain > 0 ? std::abs(proven - bound) : infinity,
-                follows * (bound + given.load().weight));
+                follows * (bound + given.load().size()));
 }
 
 /// Checks which contacts decide, by the dual of the greatest weight.
@@ -120,7 +129,7 @@ void check_idle(Verdict& verdict, const Path& place, const Case& given,
   for (std::size_t a = 0; a < hold->drives.size(); ++a)
     if (const RealDrive& drive = given.grasp.drives[a]; std::isfinite(drive.max))
       verdict.check(place[a] / "effort", "drives with a max do nothing where any weight is held",
-                    hold->drives[a].effort / (given.load().weight * (drive.turns ? length : 1)),
+                    hold->drives[a].effort / (given.load().size() * (drive.turns ? length : 1)),
                     1e-8L);
 }
 
@@ -198,7 +207,8 @@ void check_least(Verdict& verdict, const Path& place, const Case& given,
     return check_at_limit(verdict, place / "least_hold", given,
                           with_weight(given.grasp, *claim.least), claim.least_hold);
   const auto must_press = [](const RealContact& contact) { return contact.least > 0; };
-  if (std::any_of(given.grasp.contacts.begin(), given.grasp.contacts.end(), must_press))
+  if (fixed_size(given.load()) > 0 ||
+      std::any_of(given.grasp.contacts.begin(), given.grasp.contacts.end(), must_press))
     verdict.unchecked(place / "least", "of no weight there is no hold to check");
 }
 
@@ -237,7 +247,8 @@ void check_weight(Verdict& verdict, const Path& place, const Case& given,
     check_deciding(verdict, place / "contacts", given, claim);
     return check_deciding_drives(verdict, place / "drives", given, claim);
   }
-  Real strength = 0, pressing = 0;
+  const Real fixed = fixed_size(given.load());
+  Real strength = 0, pressing = fixed;
   for (const RealContact& contact : given.grasp.contacts) {
     if (std::isfinite(contact.most)) strength += contact.most;
     pressing += contact.least;
@@ -250,7 +261,7 @@ void check_weight(Verdict& verdict, const Path& place, const Case& given,
     verdict.unchecked(place / "holdable", "it is said that weights may be held: none was found");
   else
     verdict.check(place / "holdable", "that no weight can be held follows from its bounds",
-                  most < claim.least_bound || most <= loose * strength ||
+                  most < claim.least_bound || (fixed == 0 && most <= loose * strength) ||
                       claim.least_bound > out_of_proportion * pressing);
   for (const auto& [key, null] :
        {std::pair{"any", !claim.any}, {"greatest", !claim.greatest}, {"least", !claim.least}})
@@ -312,8 +323,8 @@ void check_postures(Verdict& verdict, const RealGrasp& grasp, const CapacityDocu
     if (Dim == 2)
       verdict.check(list[k] / "angle_deg", "angle_deg is the posture up",
                     (up - up_at(radians_of(claim.angle_deg))).norm(), rounding);
-    verdict.check(list[k] / "scenario", "the scenarios follow each other",
-                  loads == 1 ? !claim.scenario : claim.scenario == k % loads);
+    verdict.check(list[k] / "load", "the loads follow each other",
+                  loads == 1 ? !claim.load : claim.load == k % loads);
     if (k % loads == 0)
       names.push_back(claim.posture);
     else
@@ -353,7 +364,7 @@ void check_capacity(Verdict& verdict, const RealGrasp& grasp, const CapacityDocu
   for (std::size_t k = 0; k < capacity.capacities.size(); ++k) {
     const CapacityClaim<Dim>& claim = capacity.capacities[k];
     const Path place = (Path() / "capacities")[k];
-    const RealLoad& load = load_of(verdict, place / "scenario", grasp, claim.scenario.value_or(0));
+    const RealLoad& load = load_of(verdict, place / "load", grasp, claim.load.value_or(0));
     const Case given{with_load(grasp, load), real(claim.up), cap};
     verdict.check(place / "up", "up is a unit vector", std::abs(given.up.norm() - 1), rounding);
     check_weight(verdict, place / "weight", given, claim.weight);

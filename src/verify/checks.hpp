@@ -73,7 +73,7 @@ std::optional<std::vector<Real>> real_rates(Verdict& verdict, const Path& place,
 
 /// The load of which an answer gives the number; the first where there is no such one.
 const RealLoad& load_of(Verdict& verdict, const Path& place, const RealGrasp& grasp,
-                        std::size_t scenario);
+                        std::size_t load);
 /// Up where the file does not say how the object is held.
 Vec upright(int dim);
 

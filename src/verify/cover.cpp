@@ -142,7 +142,7 @@ Real check_cover(Verdict& verdict, const RealGrasp& grasp, const std::vector<Rea
 
 void check_unholdable(Verdict& verdict, const RealGrasp& grasp,
                       const std::vector<UnholdableArc>& unholdable, Real force_cap) {
-  const Real cap = force_cap * grasp.loads.front().weight;
+  const Real cap = force_cap * grasp.loads.front().size();
   for (std::size_t k = 0; k < unholdable.size(); ++k) {
     const Path place = unholdable_path(k);
     const Real width = Real{unholdable[k].to} - unholdable[k].from;

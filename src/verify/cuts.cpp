@@ -73,6 +73,11 @@ void add_face(Distances& left, const Polygon& face, const HalfSpace& half) {
 /// What cuts leave is bounded by faces: the part of each plane that all other cuts leave.
 Distances left_by(std::vector<HalfSpace> cuts) {
   constexpr Real outside = 4;
+  // Of loads that do not turn: all of space, or nothing.
+  const auto is_plane = [](const HalfSpace& c) { return !c.a.isZero(0); };
+  const auto still = std::partition(cuts.begin(), cuts.end(), is_plane);
+  if (std::any_of(still, cuts.end(), [](const HalfSpace& c) { return c.b < 0; })) return {};
+  cuts.erase(still, cuts.end());
   for (int k = 0; k < 3; ++k)
     for (const Real sign : {1, -1}) cuts.push_back({sign * Vec3::Unit(k), outside});
   Distances left;
@@ -95,7 +100,12 @@ HalfSpace half_space(const RealGrasp& grasp, const RealLoad& load, const Cut& cu
   const Vec y = real(cut.y), none = Vec::Zero(y.size());
   std::vector<Real> rates;
   if (cut.rates) rates.assign(cut.rates->begin(), cut.rates->end());
-  const Vec v = load.weight * velocity(y, load.com);
+  const Vec v = load.turning() * velocity(y, load.com);
+  // Where the load does not turn, all of space is left, or nothing.
+  const auto along = [&](Real b) -> HalfSpace {
+    if (!(v.norm() > 0)) return {Vec3::Zero(), b};
+    return {v.head<3>() / v.norm(), b / v.norm()};
+  };
   const Real value = phi(grasp, y), slack = delta * imbalance_power(load, y);
   if (options.objective == Objective::grip) {
     // Of (y, rates): (sum of rates) F >= y . w(x), less what contacts can do.
@@ -103,16 +113,16 @@ HalfSpace half_space(const RealGrasp& grasp, const RealLoad& load, const Cut& cu
     for (const Real rate : rates) sum += rate;
     const Real limits =
         -grip_bound(grasp, none, y, rates, options.force_cap * grasp.greatest_size());
-    return {v.head<3>() / v.norm(), (sum * t + limits - y.dot(load.fixed) + slack) / v.norm()};
+    return along(sum * t + limits - y.dot(load.still()) + slack);
   }
   if (!rates.empty()) {
     const Real drives = -bound(grasp, none, y, rates) / 2;
-    return {v.head<3>() / v.norm(), (t / 2 + drives - y.dot(load.fixed) + slack) / v.norm()};
+    return along(t / 2 + drives - y.dot(load.still()) + slack);
   }
-  const bool scales = is_unlimited(grasp) && load.fixed.isZero(0);
+  const bool scales = is_unlimited(grasp) && load.still().isZero(0);
   const Real b =
-      scales ? std::sqrt(2 * std::max(value, Real{0}) * t) : t / 2 + value - y.dot(load.fixed);
-  return {v.head<3>() / v.norm(), (b + slack) / v.norm()};
+      scales ? std::sqrt(2 * std::max(value, Real{0}) * t) : t / 2 + value - y.dot(load.still());
+  return along(b + slack);
 }
 
 std::optional<HalfSpace> check_cut(Verdict& verdict, const Path& place, const RealGrasp& grasp,
@@ -124,7 +134,7 @@ std::optional<HalfSpace> check_cut(Verdict& verdict, const Path& place, const Re
     // Nothing of the domain is cut off, however thin it is, not even by rounding.
     return HalfSpace{n / n.norm(), std::max(greatest, Real{0}) + 1e-15L};
   }
-  const RealLoad& load = load_of(verdict, place / "scenario", grasp, cut.load);
+  const RealLoad& load = load_of(verdict, place / "load", grasp, cut.load);
   const std::size_t rates = cut.rates ? cut.rates->size() : 0;
   const bool right =
       (rates == 0 || rates == grasp.drives.size()) &&
@@ -158,11 +168,13 @@ void check_cuts(Verdict& verdict, const RealGrasp& grasp, const std::vector<Cut>
   // What is left is convex: it does not meet the unit sphere if it lies inside or outside.
   const Distances left = left_by(half_spaces);
   // Without any cut: forces add up to the weight, and W^2 <= V sum share.
-  Real shares = 0;
+  Real shares = 0, greatest = 0;
+  for (const RealLoad& load : grasp.loads)
+    if (load.still().isZero(0)) greatest = std::max(greatest, std::abs(load.turning()));
   for (const RealContact& contact : grasp.contacts) shares += contact.share;
   const Real alone = options.objective == Objective::grip
                          ? std::numeric_limits<Real>::infinity()
-                         : std::sqrt(least * shares) / grasp.greatest_size();
+                         : std::sqrt(least * shares) / greatest;
   verdict.check(list, words, std::min({left.farthest, 1 / left.nearest, alone}), 1 + 1e-6L);
 }
 

@@ -17,7 +17,7 @@ struct AlongArc {
 };
 
 AlongArc along(const RealGrasp& grasp, const RealArc& arc, const ArcClaim& claim) {
-  AlongArc result{{}, grasp.loads.front().weight};
+  AlongArc result{{}, grasp.loads.front().size()};
   for (const ArcForce& force : claim.forces) {
     Mat& f = result.forces.emplace_back(2, 3);
     f.row(0) = coefficients(force.normal);
@@ -31,7 +31,7 @@ AlongArc along(const RealGrasp& grasp, const RealArc& arc, const ArcClaim& claim
 void check_forces(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
                   const ArcClaim& claim, const AlongArc& along) {
   const RealLoad& load = grasp.loads.front();
-  const Real digits = 1e-12L * along.size / load.weight;
+  const Real digits = 1e-12L * along.size / load.size();
   Mat3 off = load_matrix(load);
   for (std::size_t i = 0; i < along.forces.size(); ++i) {
     const RealContact& contact = grasp.contacts[i];
@@ -46,8 +46,8 @@ void check_forces(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
       inside = std::min(inside, least(contact.most * one - n, arc.from, arc.to));
     verdict.check((arc.place / "forces")[i],
                   "force is within the friction cone and its limits along the arc [weights]",
-                  -inside / load.weight, 1e-11L + digits);
-    check_arc_state(verdict, (arc.place / "states")[i], contact, load.weight,
+                  -inside / load.size(), 1e-11L + digits);
+    check_arc_state(verdict, (arc.place / "states")[i], contact, load.size(),
                     f * harmonics((arc.from + arc.to) / 2), claim.states[i]);
   }
   verdict.check(arc.place, "forces balance the load along the arc [weights]",
@@ -71,7 +71,7 @@ Vec3 grip_proof(const RealGrasp& grasp, const Vec& y, const std::vector<Real>& r
                 Real force_cap) {
   const RealLoad& load = grasp.loads.front();
   Vec3 g = load_matrix(load).transpose() * y.head<3>();
-  g[0] += grip_bound(grasp, Vec::Zero(3), y, rates, force_cap * load.weight);
+  g[0] += grip_bound(grasp, Vec::Zero(3), y, rates, force_cap * load.size());
   return g;
 }
 

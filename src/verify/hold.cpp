@@ -67,8 +67,8 @@ void check_fingers(Verdict& verdict, const Path& place, const RealGrasp& grasp,
     verdict.check(here / "pressing_force", "pressing_force is that along the closing direction",
                   std::abs(finger.pressing_force.value_or(0) - sum.force.dot(closing)),
                   rounding * sum.size);
-    if (is_beside(sum.normal, at_limit * load.weight, load.weight)) clear = false;
-    if (sum.normal > at_limit * load.weight) ++loaded;
+    if (is_beside(sum.normal, at_limit * load.size(), load.size())) clear = false;
+    if (sum.normal > at_limit * load.size()) ++loaded;
   }
   verdict.check(place / "all_loaded", "all_loaded follows from the fingers",
                 !clear || hold.all_loaded == (loaded == hold.fingers.size()));
@@ -137,7 +137,7 @@ void check_grip_bound(Verdict& verdict, const Path& place, const RealGrasp& gras
   for (const Real rate : *rates) sum += rate;
   verdict.check(place / "rates", "rates add up to 1", std::abs(sum - 1), rounding);
   const Vec w = wrench(load, real(hold.up)), y = real(hold.dual);
-  const Real proven = grip_bound(grasp, w, y, *rates, force_cap * load.weight);
+  const Real proven = grip_bound(grasp, w, y, *rates, force_cap * load.size());
   const Real unit = std::max(Real{hold.lower_bound}, little(grasp, Objective::grip));
   verdict.check(place / "lower_bound", "lower_bound is what y and rates prove of the grip",
                 (hold.lower_bound - std::max<Real>(proven, 0)) / unit, 1e-7L);
@@ -174,7 +174,7 @@ void check_forces(Verdict& verdict, const Path& place, const RealGrasp& grasp, c
   Real effort = 0;
   std::vector<Vec> forces;
   for (std::size_t i = 0; i < hold.contacts.size(); ++i) {
-    forces.push_back(check_contact(verdict, (place / "contacts")[i], grasp.contacts[i], load.weight,
+    forces.push_back(check_contact(verdict, (place / "contacts")[i], grasp.contacts[i], load.size(),
                                    hold.contacts[i]));
     effort += verify::effort(grasp.contacts[i], forces[i]);
   }
@@ -185,14 +185,14 @@ void check_forces(Verdict& verdict, const Path& place, const RealGrasp& grasp, c
 
   const Allowed allowed = allowed_of(grasp, hold);
   // What the forces lose by their rounding [weights].
-  const Real digits = 1e-14L * (1 + std::sqrt(effort) / load.weight) * Real(forces.size());
+  const Real digits = 1e-14L * (1 + std::sqrt(effort) / load.size()) * Real(forces.size());
   Vec off = wrench(load, real(hold.up));
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const RealContact& contact = grasp.contacts[i];
     off -= contact.G * forces[i];
     verdict.check(
         (place / "contacts")[i], "force is within the friction cone and its limits [weights]",
-        outside(contact, forces[i]) / load.weight, allowed.cone + digits * told_digits(contact));
+        outside(contact, forces[i]) / load.size(), allowed.cone + digits * told_digits(contact));
   }
   const Real residual = relative_size(off, load);
   verdict.check(place, "forces balance the load [weights]", residual, allowed.balance + digits);
@@ -202,50 +202,65 @@ void check_forces(Verdict& verdict, const Path& place, const RealGrasp& grasp, c
   check_drives(verdict, place, grasp, hold, forces);
 }
 
+/// What each load needs, and the key under which it is told.
+template <int Dim>
+const std::vector<std::optional<double>>& values_of(const HoldClaim<Dim>& hold) {
+  static const std::vector<std::optional<double>> none;
+  return hold.load_grips ? *hold.load_grips : hold.load_efforts ? *hold.load_efforts : none;
+}
+template <int Dim>
+const char* key_of(const HoldClaim<Dim>& hold) {
+  return hold.load_grips ? "load_grips" : "load_efforts";
+}
+
 /// Checks the hold of a load that does not decide: it can be held too, with less.
 template <int Dim>
 void check_other(Verdict& verdict, const Path& place, std::size_t k, const RealGrasp& grasp,
                  const HoldClaim<Dim>& hold, Real force_cap) {
-  const auto& effort = hold.scenario_efforts[k];
-  const auto& other = hold.scenario_holds[k];
-  const Path of_effort = (place / "scenario_efforts")[k], of_hold = (place / "scenario_holds")[k];
-  const bool none = k == *hold.scenario || !effort;
+  const auto& effort = values_of(hold)[k];
+  const auto& other = hold.load_holds[k];
+  const Path of_effort = (place / key_of(hold))[k], of_hold = (place / "load_holds")[k];
+  const bool none = k == *hold.load || !effort;
   verdict.check(of_hold, "is null only where there is no other hold", !other == none);
   verdict.check(of_effort, "an effort is null only where the object cannot be held",
                 effort || !hold.holdable);
-  if (!effort && k != *hold.scenario)
+  if (!effort && k != *hold.load)
     verdict.unchecked(of_effort, "that a load cannot be held is proven of the one that decides");
   if (effort && hold.holdable)
-    verdict.check(of_effort, "no scenario needs more than the one that decides",
+    verdict.check(of_effort, "no load needs more than the one that decides",
                   *effort / value(hold), 1 + 1e-9L);
   if (none || !other) return;
-  const Real cap = force_cap * grasp.greatest_size() / grasp.loads[k].weight;
+  const Real cap = force_cap * grasp.greatest_size() / grasp.loads[k].size();
   // In the best posture of all loads this one may be at the limit of what can be held.
   check_least_hold(verdict, of_hold, with_load(grasp, grasp.loads[k]), *other, cap, true);
   verdict.check(of_hold, "is a hold, in the same posture",
                 other->holdable ? (real(other->up) - real(hold.up)).norm() : 1, rounding);
-  verdict.check(of_effort, "the effort of a scenario is that of its hold",
+  verdict.check(of_hold / "objective", "objective is that in which loads are compared",
+                (other->objective == Objective::grip) == hold.load_grips.has_value());
+  verdict.check(of_effort, "what a load needs is that of its hold",
                 difference(*effort, value(*other)), 1e-9L);
 }
 
 /// Checks which load decides: the one that needs most.
 template <int Dim>
-void check_scenarios(Verdict& verdict, const Path& place, const RealGrasp& grasp,
-                     const HoldClaim<Dim>& hold, Real force_cap) {
+void check_loads(Verdict& verdict, const Path& place, const RealGrasp& grasp,
+                 const HoldClaim<Dim>& hold, Real force_cap) {
   const std::size_t count = grasp.loads.size();
-  const Path of_scenario = place / "scenario";
+  const Path of_load = place / "load";
   if (count == 1)
-    return verdict.check(of_scenario, "is told only where there are several", !hold.scenario);
-  const bool complete = hold.scenario && *hold.scenario < count &&
-                        hold.scenario_efforts.size() == count &&
-                        hold.scenario_holds.size() == count;
-  verdict.check(of_scenario, "each of the grasp's scenarios has its effort and its hold", complete);
+    return verdict.check(of_load, "is told only where there are several",
+                         !hold.load && !hold.load_grips && !hold.load_efforts);
+  const bool is_grip = hold.load_grips.has_value();
+  const bool complete = hold.load && *hold.load < count && is_grip != !!hold.load_efforts &&
+                        (!hold.holdable || is_grip == (hold.objective == Objective::grip)) &&
+                        values_of(hold).size() == count && hold.load_holds.size() == count;
+  verdict.check(of_load, "each of the grasp's loads has its number and its hold", complete);
   if (!complete) return;
-  const auto& decides = hold.scenario_efforts[*hold.scenario];
-  verdict.check(of_scenario, "the scenario decides", decides.has_value() == hold.holdable);
+  const auto& decides = values_of(hold)[*hold.load];
+  verdict.check(of_load, "the load decides", decides.has_value() == hold.holdable);
   for (std::size_t k = 0; k < count; ++k) check_other(verdict, place, k, grasp, hold, force_cap);
   if (decides && hold.holdable)
-    verdict.check((place / "scenario_efforts")[*hold.scenario], "its effort is that of the hold",
+    verdict.check((place / key_of(hold))[*hold.load], "its effort is that of the hold",
                   difference(*decides, value(hold)), rounding);
 }
 
@@ -265,7 +280,7 @@ DualValue dual_value(const RealGrasp& grasp, const RealLoad& load, const HoldCla
 
 template <int Dim>
 const RealLoad& deciding_load(const RealGrasp& grasp, const HoldClaim<Dim>& hold) {
-  const std::size_t k = hold.scenario.value_or(0);
+  const std::size_t k = hold.load.value_or(0);
   return grasp.loads[k < grasp.loads.size() ? k : 0];
 }
 
@@ -297,17 +312,17 @@ std::optional<std::vector<Real>> real_rates(Verdict& verdict, const Path& place,
 }
 
 const RealLoad& load_of(Verdict& verdict, const Path& place, const RealGrasp& grasp,
-                        std::size_t scenario) {
-  const bool known = scenario < grasp.loads.size();
-  verdict.check(place, "scenario is one of the grasp's", known);
-  return grasp.loads[known ? scenario : 0];
+                        std::size_t load) {
+  const bool known = load < grasp.loads.size();
+  verdict.check(place, "load is one of the grasp's", known);
+  return grasp.loads[known ? load : 0];
 }
 
 template <int Dim>
 void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
                 const HoldClaim<Dim>& hold, Real force_cap) {
   check_posture(verdict, place, hold);
-  check_scenarios(verdict, place, grasp, hold, force_cap);
+  check_loads(verdict, place, grasp, hold, force_cap);
   const RealLoad& load = deciding_load(grasp, hold);
   verdict.check(place / "proven", "proven is told where it is false, of what is not holdable",
                 !hold.proven || (!*hold.proven && !hold.holdable));
@@ -341,7 +356,7 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
     return bound(grasp, w, y, speeds) - bound_rounding(grasp, w, y, speeds) -
            2 * delta * imbalance_power(load, y);
   };
-  const Real cap = force_cap * load.weight;
+  const Real cap = force_cap * load.size();
   if (hold.proven) {
     const DualValue dual = dual_value(grasp, load, hold);
     verdict.check(place / "lower_bound", "lower_bound is what dual proves [of it]",

@@ -68,7 +68,7 @@ bool holds_around(const RealGrasp& grasp, const RealLoad& load, Real slack) {
   if (hand.contacts.empty()) return false;
   const Inverse inverse(hand.G);
   Mat turned = Mat::Zero(6, 3);
-  turned.topRows(3) = load.weight * turn * Mat::Identity(3, 3);
+  turned.topRows(3) = load.turning() * turn * Mat::Identity(3, 3);
   const Mat change = inverse.solve(turned);
   if (!((hand.G * change - turned).norm() <= 1e-9L * turned.norm())) return false;
 

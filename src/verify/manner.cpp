@@ -96,7 +96,7 @@ Frictionless frictionless(const RealGrasp& grasp, const RealLoad& load, const Ve
     result.head(grasp.dim) = w.head(grasp.dim);
     return result;
   };
-  const Vec w = scaled(wrench(load, up)) / load.weight;
+  const Vec w = scaled(wrench(load, up)) / load.size();
   Frictionless problem{Mat::Zero(w.size(), 0), w};
   Mat efforts = Mat::Zero(static_cast<Eigen::Index>(grasp.drives.size()), 0);  // of the unknowns
   for (const RealContact& contact : grasp.contacts) {
@@ -113,12 +113,12 @@ Frictionless frictionless(const RealGrasp& grasp, const RealLoad& load, const Ve
     }
     Vec normal = Vec::Zero(problem.A.cols());
     normal.tail(problem.A.cols() - first).setOnes();
-    if (contact.least > 0) problem.add_limit(normal, contact.least / load.weight, -1);
-    if (std::isfinite(contact.most)) problem.add_limit(normal, contact.most / load.weight, 1);
+    if (contact.least > 0) problem.add_limit(normal, contact.least / load.size(), -1);
+    if (std::isfinite(contact.most)) problem.add_limit(normal, contact.most / load.size(), 1);
   }
   for (std::size_t a = 0; a < grasp.drives.size() && with_drives; ++a)
     if (const Real max = grasp.drives[a].max; std::isfinite(max))
-      problem.add_limit(efforts.row(static_cast<Eigen::Index>(a)).transpose() * (load.weight / max),
+      problem.add_limit(efforts.row(static_cast<Eigen::Index>(a)).transpose() * (load.size() / max),
                         1, 1);
   return problem;
 }

@@ -118,7 +118,7 @@ void check_meeting(Verdict& verdict, const RealGrasp& grasp, const RealOptimum& 
     verdict.check(place, "edges_meet is on the edges of the cones [of its distance]",
                   std::abs(cross(point - grasp.contacts[loaded[k]].position, edges[k])) / size,
                   1e-9L);
-  if (!load.fixed.isZero(0)) return;  // which is one more force
+  if (!load.still().isZero(0)) return;  // which is one more force
   verdict.check(place, "edges_meet is on the vertical through the com [of its distance]",
                 std::abs(cross(point - load.com, real(claim.up))) / size,
                 1e-9L / std::max(sine, Real{1e-6L}));

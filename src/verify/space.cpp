@@ -32,9 +32,9 @@ bool is_surely_inside(const RealGrasp& grasp, const std::optional<Tilt>& tilt,
   if (!hold.holdable) return false;
   for (std::size_t k = 0; k < grasp.loads.size(); ++k) {
     const HoldClaim<3>* own = &hold;
-    if (k != hold.scenario.value_or(0)) {
-      if (k >= hold.scenario_holds.size() || !hold.scenario_holds[k]) return false;
-      own = &*hold.scenario_holds[k];
+    if (k != hold.load.value_or(0)) {
+      if (k >= hold.load_holds.size() || !hold.load_holds[k]) return false;
+      own = &*hold.load_holds[k];
     }
     if (own->contacts.size() != grasp.contacts.size() ||
         !holds_around(grasp, grasp.loads[k], slack_below_limits(grasp, *own)))

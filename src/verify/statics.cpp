@@ -21,7 +21,19 @@ Vec wrench(const Vec& force, const Vec& point) {
 }
 
 Vec wrench(const RealLoad& load, const Vec& up) {
-  return wrench(load.weight * up, load.com) + load.fixed;
+  return wrench(load.turning() * up, load.com) + load.still();
+}
+
+Real RealLoad::turning() const { return weight * (1 + lift / standard_gravity); }
+
+Vec RealLoad::still() const {
+  return wrench(weight / standard_gravity * acceleration, com) + fixed;
+}
+
+Real RealLoad::size() const {
+  const Vec w = still(), force = w.head(com.size());
+  const Vec moment = (w - wrench(force, com)).tail(w.size() - force.size());
+  return std::abs(turning()) + force.norm() + moment.norm() / length;
 }
 
 Vec velocity(const Vec& y, const Vec& point) {
@@ -38,9 +50,9 @@ Real turning(const Vec& y) { return y.size() == 3 ? std::abs(y[2]) : y.tail<3>()
 Real relative_size(const Vec& w, const RealLoad& load) {
   const Vec force = w.head(load.com.size());
   const Vec moment = (w - wrench(force, load.com)).tail(w.size() - force.size());
-  const Real size = force.norm() / load.weight;
+  const Real size = force.norm() / load.size();
   if (!(load.radius > 0)) return size;
-  return std::max(size, moment.norm() / (load.weight * load.radius));
+  return std::max(size, moment.norm() / (load.size() * load.radius));
 }
 
 namespace {
@@ -200,7 +212,7 @@ Real bound_rounding(const RealGrasp& grasp, const Vec& w, const Vec& y,
 }
 
 Real imbalance_power(const RealLoad& load, const Vec& y) {
-  return load.weight * (velocity(y, load.com).norm() + load.radius * turning(y));
+  return load.size() * (velocity(y, load.com).norm() + load.radius * turning(y));
 }
 
 namespace {
@@ -273,7 +285,7 @@ void add_pad(const Pad& given, RealContact& contact) {
 
 Real RealGrasp::greatest_size() const {
   Real greatest = 0;
-  for (const RealLoad& load : loads) greatest = std::max(greatest, load.weight);
+  for (const RealLoad& load : loads) greatest = std::max(greatest, load.size());
   return greatest;
 }
 
@@ -297,9 +309,10 @@ RealGrasp real_grasp(const Grasp<Dim>& grasp) {
   }
   for (const Load<Dim>& load : grasp.loads()) {
     RealLoad& real_load = result.loads.emplace_back();
-    real_load = {load.weight, real(load.com), real(load.fixed)};
+    real_load = {load.weight, real(load.com), real(load.fixed), load.lift, real(load.acceleration)};
     for (const RealContact& contact : result.contacts)
       real_load.radius = std::max(real_load.radius, (contact.position - real_load.com).norm());
+    real_load.length = result.loads.front().radius > 0 ? result.loads.front().radius : 1;
   }
   return result;
 }
@@ -353,7 +366,13 @@ RealGrasp with_friction(RealGrasp grasp, Real factor) {
 
 WeightBound weight_bound(const RealGrasp& grasp, const RealLoad& load, const Vec& up, const Vec& y,
                          const std::vector<Real>& rates, Real cap) {
-  WeightBound bound{0, -y.dot(load.fixed)};
+  RealLoad newton = load, nothing = load;
+  newton.weight = 1;
+  newton.fixed.setZero();
+  nothing.weight = 0;
+  const Real moving = std::abs(newton.turning()) + newton.acceleration.norm() / standard_gravity;
+  const Real tolerated = delta * imbalance_power(load, y) / load.size();
+  WeightBound bound{0, -y.dot(load.fixed) + tolerated * nothing.size()};
   for (std::size_t a = 0; a < rates.size(); ++a)
     if (rates[a] > 0) bound.fixed += rates[a] * grasp.drives[a].max;
   Real squared = 0;
@@ -370,9 +389,9 @@ WeightBound weight_bound(const RealGrasp& grasp, const RealLoad& load, const Vec
     whole.least = 0;
     squared += effort(whole, project(whole, contact.share * z));
   }
-  const RealLoad newton{1, load.com, Vec::Zero(y.size()), load.radius};
-  bound.gain =
-      y.dot(wrench(newton, up)) - delta * imbalance_power(newton, y) - cap * std::sqrt(squared);
+  const Real growing = cap * std::sqrt(squared);
+  bound.gain = y.dot(wrench(newton, up)) - moving * (tolerated + growing);
+  bound.fixed += nothing.size() * growing;
   return bound;
 }
 

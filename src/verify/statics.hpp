@@ -61,8 +61,15 @@ struct RealContact {
 struct RealLoad {
   Real weight{0};
   Vec com;
-  Vec fixed;       ///< the wrench that does not turn with gravity, about the origin
-  Real radius{0};  ///< L, the distance of the farthest contact from the com
+  Vec fixed;  ///< a wrench about the origin
+  Real lift{0};
+  Vec acceleration;
+  Real length{1};  ///< of the hand: it is about the com of the first load
+  Real radius{0};  ///< the distance of the farthest contact from the com
+
+  Real turning() const;  ///< the force that turns with gravity
+  Vec still() const;     ///< the wrench that does not, about the origin
+  Real size() const;     ///< [N]
 };
 
 /// What moves fingers, and how far per unit of its speed.

@@ -43,7 +43,7 @@ Real relative_size(const Mat3& wrenches, const RealLoad& load, Real from, Real t
   for (int k = 0; k < 3; ++k) about_com(2, k) -= wrench(wrenches.col(k).head(2), load.com)[2];
   Real size = 0;
   for (int row = 0; row < 3; ++row) {
-    const Real unit = load.weight * (row < 2 ? 1 : load.radius);
+    const Real unit = load.size() * (row < 2 ? 1 : load.radius);
     if (unit > 0) size = std::max(size, greatest_size(about_com.row(row), from, to) / unit);
   }
   return size;
@@ -52,8 +52,8 @@ Real relative_size(const Mat3& wrenches, const RealLoad& load, Real from, Real t
 Mat3 load_matrix(const RealLoad& load) {
   Mat3 w;
   w << 0, 0, 1, 0, 1, 0, 0, load.com[0], -load.com[1];
-  w *= load.weight;
-  w.col(0) += load.fixed;
+  w *= load.turning();
+  w.col(0) += load.still();
   return w;
 }
 

@@ -60,9 +60,10 @@ void check_reading(Verdict& verdict, const Grasp<Dim>& grasp, const FileOf<Dim>*
   verdict.check({}, "there are as many loads and contacts as the grasp has", complete);
   if (!complete) return;
   for (std::size_t k = 0; k < check.loads.size(); ++k) {
-    const Path place = Dim == 2 ? Path() : (Path() / "scenarios")[k];
-    same(place, "weight", check.loads[k].weight, grasp.loads()[k].weight);
-    same(place, "com", check.loads[k].com, grasp.loads()[k].com);
+    same((Path() / "loads")[k], "name", check.loads[k].name, grasp.loads()[k].name);
+    for_each_load_field<Dim>([&](const char* name, auto member) {
+      same((Path() / "loads")[k], name, check.loads[k].*member, grasp.loads()[k].*member);
+    });
   }
   for (std::size_t i = 0; i < check.contacts.size(); ++i)
     for_each_contact_field<Dim>([&](const char* name, auto member) {

@@ -26,7 +26,7 @@ std::string caption(const Grasp<Dim>& grasp, const NamedPosture<Dim>& shown) {
          posture_words(posture.up) + ": " +
          (posture.holdable() ? least_text(grasp, posture) + ", " + to_string(posture.manner)
                              : "cannot be held") +
-         scenario_text(grasp, posture.decides);
+         load_text(grasp, posture.decides);
 }
 
 Reply draw(const Drawing& drawing) {

@@ -150,13 +150,16 @@ std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                            const std::vector<const CapacityAt<Dim>*>& loads, double safety,
                            const Style& style) {
   const auto given = [&](const CapacityAt<Dim>& at) { return grasp.loads()[at.load].weight; };
+  const auto part = [&](const CapacityAt<Dim>& at, double weight) {
+    return given(at) > 0 ? weight / given(at) : weight;
+  };
   const auto force = [&](const CapacityAt<Dim>& at) {
     const Posture<Dim>& safe = at.capacity.safe;
     return safe.holdable() ? grip_of<Dim>(grasp, safe).value_or(0) : HUGE_VAL;
   };
   const CapacityAt<Dim>& heaviest = most(loads, [&](const CapacityAt<Dim>& at) {
     const WeightRange<Dim>& range = at.capacity.weights;
-    return range.holdable ? -range.greatest.weight / given(at) : 1;
+    return range.holdable ? -part(at, range.greatest.weight) : 1;
   });
   const CapacityAt<Dim>& slippery =
       most(loads, [](const CapacityAt<Dim>& at) { return at.capacity.friction.factor; });
@@ -166,12 +169,12 @@ std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
   Table table({"<", "<"});
   const WeightRange<Dim>& range = heaviest.capacity.weights;
   table.add({"greatest weight",
-             greatest_text(range, given(heaviest)) + scenario_text(grasp, heaviest.load)});
+             greatest_text(range, given(heaviest)) + load_text(grasp, heaviest.load)});
   if (range.holdable && range.least.weight > 0)
     table.add(
-        {"least weight", weight_text(range.least.weight) + scenario_text(grasp, heaviest.load)});
+        {"least weight", weight_text(range.least.weight) + load_text(grasp, heaviest.load)});
   table.add({"least friction", friction_text(grasp, slippery.capacity.friction, file.safety) +
-                                   scenario_text(grasp, slippery.load)});
+                                   load_text(grasp, slippery.load)});
   const std::string on_friction = fmt::format(
       "with a safety factor of {} on the friction{}", plain(safety),
       file.safety == 1 ? "" : fmt::format(", on top of the file's {}", plain(file.safety)));
@@ -180,7 +183,7 @@ std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                               : grips ? command_text(grasp, hardest.capacity.safe.hold()) + ", "
                                       : newtons(force(hardest)) + ", ";
   table.add({grips ? "grip to command" : "force to command",
-             command + on_friction + scenario_text(grasp, hardest.load)});
+             command + on_friction + load_text(grasp, hardest.load)});
   return heading(place_text(first.up) + which_text(first.posture), style) + table.text(style) +
          why_no_more(grasp, range);
 }
@@ -191,7 +194,10 @@ template <int Dim>
 std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                    const CapacityAnswer<Dim>& answer, const Style& style) {
   std::vector<std::string> weights;
-  for (const Load<Dim>& load : grasp.loads()) weights.push_back(weight_text(load.weight));
+  for (const Load<Dim>& load : grasp.loads())
+    if (const std::string text = weight_text(load.weight);
+        std::find(weights.begin(), weights.end(), text) == weights.end())
+      weights.push_back(text);
   std::string text = title(file.name, style) + "The given weight is " + listed(weights) + ".\n";
   const std::size_t count = grasp.loads().size();
   for (std::size_t begin = 0; begin < answer.capacities.size(); begin += count) {

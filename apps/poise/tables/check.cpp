@@ -85,6 +85,29 @@ std::vector<std::vector<std::string>> own_facts(const SpatialFile& file, const C
           {"allowed", file.tilt ? tilt_text(*file.tilt) : "every posture"}};
 }
 
+/// The weight where it is all, else the first of the loads.
+template <int Dim>
+void add_loads(Table& table, const Grasp<Dim>& grasp, const Lengths& lengths) {
+  constexpr std::size_t most = 12;
+  const auto& loads = grasp.loads();
+  const auto com = [&](const Load<Dim>& load) {
+    return lengths.text(load.com) + " " + lengths.unit;
+  };
+  if (loads.size() == 1) {
+    table.add({"weight", newtons(loads.front().weight)});
+    table.add({"centre of mass", com(loads.front())});
+    if (const std::string acting = acting_text(loads.front()); !acting.empty())
+      table.add({loads.front().name.empty() ? "and" : loads.front().name, acting});
+    return;
+  }
+  for (std::size_t k = 0; k < std::min(most, loads.size()); ++k) {
+    const std::string acting = acting_text(loads[k]);
+    table.add({load_name(grasp, k), newtons(loads[k].weight) + " at " + com(loads[k]) +
+                                        (acting.empty() ? "" : ", " + acting)});
+  }
+  if (loads.size() > most) table.add({"", fmt::format("and {} more", loads.size() - most)});
+}
+
 }  // namespace
 
 template <int Dim>
@@ -92,12 +115,7 @@ std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp, const Check
                    const Style& style) {
   const Lengths lengths(grasp.radius());
   Table table({"<", "<"});
-  for (std::size_t k = 0; k < grasp.loads().size(); ++k) {
-    const Load<Dim>& load = grasp.loads()[k];
-    const std::string of = grasp.loads().size() == 1 ? "" : fmt::format(" {}", k);
-    table.add({"weight" + of, newtons(load.weight)});
-    table.add({"centre of mass" + of, lengths.text(load.com) + " " + lengths.unit});
-  }
+  add_loads(table, grasp, lengths);
   if (file.shape) table.add({"shape", shape_text(*file.shape, lengths)});
   if (file.safety != 1)
     table.add({"safety", (Dim == 2 ? "friction" : "friction and torsion") +

@@ -13,10 +13,10 @@ std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp, const HoldA
                    const Style& style) {
   const Posture<Dim>& posture = answer.posture;
   const std::string place = place_text(posture.up);
-  const std::string scenarios = scenarios_table(grasp, posture, style);
+  const std::string loads = loads_table(grasp, posture, style);
   if (!posture.holdable())
     return title(file.name, style) +
-           wrapped(place + " it cannot be held: " + reason_text(grasp, posture) + ".") + scenarios;
+           wrapped(place + " it cannot be held: " + reason_text(grasp, posture) + ".") + loads;
   const std::optional<double> grip = grip_of(grasp, posture);
   const std::string norm = newtons(std::sqrt(posture.effort()));
   const std::string least = posture.hold().objective == Objective::grip
@@ -26,9 +26,9 @@ std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp, const HoldA
   return title(file.name, style) +
          fmt::format("{}: {}, {}\n", place, least, to_string(posture.manner)) +
          drives_table(grasp, posture.hold(), style) +
-         heading("Forces" + scenario_text(grasp, posture.decides), style) +
+         heading("Forces" + load_text(grasp, posture.decides), style) +
          forces_table(grasp, posture.hold(), style) +
-         fmt::format("\nForce norm {}, effort {} N².\n", norm, plain(posture.effort())) + scenarios;
+         fmt::format("\nForce norm {}, effort {} N².\n", norm, plain(posture.effort())) + loads;
 }
 
 template std::string report(const PlanarFile&, const Grasp<2>&, const HoldAnswer<2>&, const Style&);

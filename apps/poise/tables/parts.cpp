@@ -2,10 +2,14 @@
 
 #include <fmt/core.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "files/degrees.hpp"
 
@@ -64,7 +68,7 @@ std::string tilt_text(const Tilt& tilt) {
 template <int Dim>
 std::string reason_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture) {
   const std::string why = reason(grasp, posture.hold());
-  return grasp.loads().size() == 1 ? why : fmt::format("in scenario {} {}", posture.decides, why);
+  return grasp.loads().size() == 1 ? why : fmt::format("against {} {}", load_name(grasp, posture.decides), why);
 }
 
 template <int Dim>
@@ -212,23 +216,77 @@ std::string drives_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const S
   return heading("Drives", style) + table.text(style);
 }
 
+namespace {
+
+/// "(0, 0, -40)"
 template <int Dim>
-std::string scenarios_table(const Grasp<Dim>& grasp, const Posture<Dim>& posture,
-                            const Style& style) {
+std::string plain_text(const Eigen::Matrix<double, Dim, 1>& vector) {
+  std::vector<std::string> parts;
+  for (const double part : vector) parts.push_back(plain(part));
+  return fmt::format("({})", fmt::join(parts, ", "));
+}
+
+/// Those that need most, as many as a table shows, in their order.
+template <int Dim>
+std::vector<std::size_t> loads_to_show(const Posture<Dim>& posture) {
+  constexpr std::size_t most = 12;
+  const auto value = [&](std::size_t k) {
+    const Hold<Dim>& hold = posture.holds[k];
+    return hold.holdable ? hold.value() : std::numeric_limits<double>::infinity();
+  };
+  std::vector<std::size_t> loads(posture.holds.size());
+  std::iota(loads.begin(), loads.end(), std::size_t{0});
+  if (loads.size() <= most) return loads;
+  std::stable_sort(loads.begin(), loads.end(),
+                   [&](std::size_t a, std::size_t b) { return value(a) > value(b); });
+  loads.resize(most);
+  std::sort(loads.begin(), loads.end());
+  return loads;
+}
+
+}  // namespace
+
+template <int Dim>
+std::string acting_text(const Load<Dim>& load) {
+  std::vector<std::string> parts;
+  if (load.lift != 0) parts.push_back(fmt::format("lift {} m/s²", plain(load.lift)));
+  if (!load.acceleration.isZero(0))
+    parts.push_back(fmt::format("acceleration {} m/s²", plain_text(load.acceleration)));
+  // Of the file it is what acts on the object; its moment is about the origin.
+  const Vector<Dim> force = -load.fixed.template head<Dim>();
+  if (!force.isZero(0)) parts.push_back(fmt::format("force {} N", plain_text(force)));
+  if constexpr (Dim == 2) {
+    if (load.fixed[2] != 0) parts.push_back(fmt::format("moment {} N m", plain(-load.fixed[2])));
+  } else {
+    const Vector<3> moment = -load.fixed.template tail<3>();
+    if (!moment.isZero(0)) parts.push_back(fmt::format("moment {} N m", plain_text(moment)));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+template <int Dim>
+std::string loads_table(const Grasp<Dim>& grasp, const Posture<Dim>& posture, const Style& style) {
   if (grasp.loads().size() == 1) return {};
   double effort = 0;
   for (const Hold<Dim>& hold : posture.holds) effort = std::max(effort, hold.effort);
   const std::optional<double> grip = grip_of(grasp, posture);
   const Lengths lengths(grasp.radius());
-  std::vector<std::string> headings{"scenario", "weight [N]",
+  const auto& loads = grasp.loads();
+  const bool acts = std::any_of(loads.begin(), loads.end(),
+                                [](const Load<Dim>& load) { return !acting_text(load).empty(); });
+  std::vector<std::string> headings{"load", "weight [N]",
                                     fmt::format("centre of mass [{}]", lengths.unit)};
+  if (acts) headings.emplace_back("<and");
   if (grip) headings.emplace_back("grip");
   headings.insert(headings.end(), {"force norm [N]", "effort [N²]", "<"});
   Table table(headings);
-  for (std::size_t k = 0; k < grasp.loads().size(); ++k) {
-    const Load<Dim>& load = grasp.loads()[k];
+  const std::vector<std::size_t> shown = loads_to_show(posture);
+  for (const std::size_t k : shown) {
+    const Load<Dim>& load = loads[k];
     const Hold<Dim>& hold = posture.holds[k];
-    std::vector<std::string> row{std::to_string(k), plain(load.weight), lengths.text(load.com)};
+    std::vector<std::string> row{load.name.empty() ? std::to_string(k) : load.name,
+                                 plain(load.weight), lengths.text(load.com)};
+    if (acts) row.push_back(acting_text(load));
     if (grip) row.push_back(hold.holdable ? grip_text(grasp, poise::grip(grasp, hold)) : "");
     if (hold.holdable)
       row.insert(row.end(),
@@ -238,7 +296,10 @@ std::string scenarios_table(const Grasp<Dim>& grasp, const Posture<Dim>& posture
       row.insert(row.end(), {"", "", "cannot be held"});
     table.add(std::move(row));
   }
-  return heading("Scenarios", style) + table.text(style);
+  std::string text = heading("Loads", style) + table.text(style);
+  if (const std::size_t rest = loads.size() - shown.size(); rest > 0)
+    text += fmt::format("And {} loads that need no more.\n", rest);
+  return text;
 }
 
 template <int Dim>
@@ -303,13 +364,15 @@ template std::string optima_table(const Grasp<3>&, const std::vector<OptimumRow>
                                   const std::vector<std::string>&, const Style&);
 template std::string drives_table(const Grasp<2>&, const Hold<2>&, const Style&);
 template std::string drives_table(const Grasp<3>&, const Hold<3>&, const Style&);
-template std::string scenarios_table(const Grasp<2>&, const Posture<2>&, const Style&);
+template std::string acting_text(const Load<2>&);
+template std::string acting_text(const Load<3>&);
+template std::string loads_table(const Grasp<2>&, const Posture<2>&, const Style&);
 template std::string why_pinching_costs(const Grasp<2>&, const Posture<2>&, const Posture<2>&);
 template std::string reason_text(const Grasp<3>&, const Posture<3>&);
 template void add_posture(Table&, const std::string&, const Grasp<3>&, const Posture<3>&,
                           const std::string&);
 template std::string forces_table(const Grasp<3>&, const Hold<3>&, const Style&);
-template std::string scenarios_table(const Grasp<3>&, const Posture<3>&, const Style&);
+template std::string loads_table(const Grasp<3>&, const Posture<3>&, const Style&);
 template std::string why_pinching_costs(const Grasp<3>&, const Posture<3>&, const Posture<3>&);
 
 }  // namespace poise

@@ -42,7 +42,7 @@ bool ties_with(const Posture<Dim>& posture, const Posture<Dim>& best) {
   return posture.value() <= best.value() * (1 + tie);
 }
 
-/// Why it cannot be held, and in which scenario.
+/// Why it cannot be held, and against which load.
 template <int Dim>
 std::string reason_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture);
 /// Why nothing holds: what the best posture asks of contacts and drives without their max, if there
@@ -51,11 +51,20 @@ template <int Dim>
 std::string why_nowhere(const Grasp<Dim>& grasp, const std::optional<Posture<Dim>>& example,
                         const std::optional<Posture<Dim>>& without_max = {});
 
-/// ", in scenario 1", or nothing where there is but one.
+/// What a load is called, or its number: "load 1".
 template <int Dim>
-std::string scenario_text(const Grasp<Dim>& grasp, std::size_t load) {
-  return grasp.loads().size() == 1 ? "" : ", in scenario " + std::to_string(load);
+std::string load_name(const Grasp<Dim>& grasp, std::size_t load) {
+  const std::string& name = grasp.loads()[load].name;
+  return name.empty() ? "load " + std::to_string(load) : name;
 }
+/// ", against lifting", or nothing where there is but one.
+template <int Dim>
+std::string load_text(const Grasp<Dim>& grasp, std::size_t load) {
+  return grasp.loads().size() == 1 ? "" : ", against " + load_name(grasp, load);
+}
+/// What a load has beside its weight: "lift 3 m/s², force (0, 0, -40) N"; nothing where it has not.
+template <int Dim>
+std::string acting_text(const Load<Dim>& load);
 
 /// A line of a summary: which posture, what it needs least of, and how to get there.
 template <int Dim>
@@ -78,9 +87,10 @@ std::string least_text(const Grasp<Dim>& grasp, const Posture<Dim>& posture);
 template <int Dim>
 std::string drives_table(const Grasp<Dim>& grasp, const Hold<Dim>& hold, const Style& style);
 
-/// What each scenario needs in a posture; nothing where there is but one.
+/// What each load needs in a posture, those that need most where there are many; nothing where
+/// there is but one.
 template <int Dim>
-std::string scenarios_table(const Grasp<Dim>& grasp, const Posture<Dim>& posture,
+std::string loads_table(const Grasp<Dim>& grasp, const Posture<Dim>& posture,
                             const Style& style);
 
 /// A line of a table of optima.

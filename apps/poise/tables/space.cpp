@@ -16,17 +16,17 @@ std::string scope(const SpatialSettings& settings) {
 
 std::string optima_text(const Grasp<3>& grasp, const std::vector<Minimum<3>>& optima,
                         const Style& style) {
-  const bool scenarios = grasp.loads().size() > 1;
+  const bool several = grasp.loads().size() > 1;
   std::vector<OptimumRow> rows;
   for (const Minimum<3>& posture : optima) {
     rows.push_back({posture_text(posture.up),
                     grip_of<3>(grasp, posture),
                     posture.effort(),
                     {to_string(posture.manner)}});
-    if (scenarios) rows.back().words.push_back(std::to_string(posture.decides));
+    if (several) rows.back().words.push_back(load_name(grasp, posture.decides));
   }
   std::vector<std::string> words{"manner"};
-  if (scenarios) words.emplace_back("scenario");
+  if (several) words.emplace_back("load");
   return optima_table(grasp, rows, words, style);
 }
 
@@ -107,9 +107,9 @@ std::string report(const SpatialFile& file, const Grasp<3>& grasp, const BestAns
   text += heading("The turn as a quaternion, in the world frame with +z up", style) +
           rotations.text(style);
   for (const auto& [which, posture] : shown)
-    text += heading("Forces at the " + which + scenario_text(grasp, posture->decides), style) +
+    text += heading("Forces at the " + which + load_text(grasp, posture->decides), style) +
             forces_table(grasp, posture->hold(), style);
-  return text + scenarios_table<3>(grasp, lowest, style) +
+  return text + loads_table<3>(grasp, lowest, style) +
          heading("Minima found, lowest first; there may be others", style) +
          optima_text(grasp, best.minima, style);
 }
