@@ -55,8 +55,8 @@ template <>
 struct Minimum<2> : Posture<2> {
   Optimum optimum;
   /// At a kink with exactly two loaded contacts, both slipping against nothing but a weight: where
-  /// the edges of their friction cones meet [m, object frame], on the vertical through the centre of
-  /// mass. None if parallel.
+  /// the edges of their friction cones meet [m, object frame], on the vertical through the centre
+  /// of mass. None if parallel.
   std::optional<Vector<2>> edges_meet;
   bool two_slipping{false};  ///< whether edges_meet was asked for
 };

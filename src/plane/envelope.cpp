@@ -38,8 +38,8 @@ Parts parts_of(const PostureCurve& curve) {
   Parts parts;
   const auto add = [&](double from, double to, const Arc* arc, const UnholdableArc* gap) {
     for (const double turn : {-2 * pi, 0.0, 2 * pi}) {
-      const Part part{std::max(from + turn, curve.domain.from), std::min(to + turn, curve.domain.to),
-                      arc, gap};
+      const Part part{std::max(from + turn, curve.domain.from),
+                      std::min(to + turn, curve.domain.to), arc, gap};
       if (part.to - part.from > same_angle) parts.push_back(part);
     }
   };
