@@ -83,9 +83,9 @@ Json planes(const Grasp<3>& grasp, const std::vector<Field>& cuts, const HoldSet
       result.push_back({{"a", {a.x(), a.y(), a.z()}}, {"b", 0}, {"rate", 0}});
       continue;
     }
-    const auto scenario = static_cast<std::size_t>(cut.get("scenario", "an index").number());
-    if (scenario >= grasp.loads().size()) cut.fail("is of a scenario that the grasp does not have");
-    const Load<3>& load = grasp.loads()[scenario];
+    const auto index = static_cast<std::size_t>(cut.get("load", "an index").number());
+    if (index >= grasp.loads().size()) cut.fail("is of a load that the grasp does not have");
+    const Load<3>& load = grasp.loads()[index];
     const std::vector<Field> parts = cut.get("y", "six numbers").list();
     if (parts.size() != 6) cut.fail("must have a y of six numbers");
     Twist<3> y;

@@ -13,7 +13,7 @@ namespace poise {
 ///   margins  ("angle_deg", in space "up"): {"weight", "holdable", "greatest_weight",
 ///            "friction_factor"}: the greatest weight that is still held in the posture, null where
 ///            any is, and the least common factor on all frictions, null where none is enough; in
-///            the scenario that decides
+///            the load that decides
 ///   objectives: {"objective", "grip_unit"}: that of the file, and "N", "N m" or "of max"; null
 ///            where the hand has no grip
 /// In space also

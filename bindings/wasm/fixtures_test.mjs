@@ -48,7 +48,7 @@ function compare(found, wanted, path, exact = 1e-9) {
       const flat = wanted.cuts && searched && (!sameSearch(found, wanted) ? 1e-5 : key === 'minima' ? 1e-7 : 1.1e-9);
       const isGrip = (wanted.options ?? wanted).objective === 'grip';
       const ofHold = key !== 'effort' || 'force_norm' in wanted; // else of a drive
-      const sure = ofHold && [...(wanted.objective === 'grip' ? ['grip'] : ['effort', 'force_norm']), 'scenario_efforts', 'lower_bound'].includes(key);
+      const sure = ofHold && [...(wanted.objective === 'grip' ? ['grip'] : ['effort', 'force_norm']), 'load_grips', 'load_efforts', 'lower_bound'].includes(key);
       if (wanted[key] && (key === 'without_pressing_harder' || key === 'turn') && (wanted.cuts || 'way' in wanted[key])) {
         if (key === 'turn') sameTurn(found[key], wanted[key], `${path}.${key}`, wanted.cuts ? 1e-4 : 1e-9);
         else sameBounds([found[key]?.reachable_bound, valueOf(found[key])], [wanted[key].reachable_bound, valueOf(wanted[key])], `${path}.${key}`);
@@ -151,7 +151,7 @@ for (const file of names) {
     expect(told === objective, `${name}: values of ${objective}`);
     ups.forEach((up, k) => {
       const one = answer({ command: 'hold', grasp, objective, up });
-      const found = one.scenario_efforts ? Math.max(...one.scenario_efforts.map((each) => each ?? Infinity)) : valueOf(one);
+      const found = (one.load_grips ?? one.load_efforts) ? Math.max(...(one.load_grips ?? one.load_efforts).map((each) => each ?? Infinity)) : valueOf(one);
       // Minima may lie on the border of what can be held, where rounding decides.
       if (k >= best.minima.length || (one.holdable && values[k] !== null))
         compare(values[k], one.holdable && found < Infinity ? found : null, `${name}.values[${k}]`);
@@ -189,7 +189,7 @@ expect(bad.path === 'contacts[1].friction' && bad.problem === 'is -1, must be at
 expect(error({ command: 'curve', grasp: read(spatial) }).path === 'command', 'a curve in space');
 expect(error({ command: 'hold', grasp: read(spatial), angle_deg: 3 }).problem.startsWith('is for the plane'), 'an angle in space');
 expect(error({ command: 'hold', grasp: read(spatial), up: [0, 0, 0] }).path === 'up', 'no direction');
-expect(error({ command: 'planes', grasp: read(spatial), cuts: [{ y: [1, 2, 3, 4, 5, 6], scenario: 7 }] }).path === 'cuts[0]', 'no such scenario');
+expect(error({ command: 'planes', grasp: read(spatial), cuts: [{ y: [1, 2, 3, 4, 5, 6], load: 7 }] }).path === 'cuts[0]', 'no such load');
 
 // Two fingers that face each other: upright each presses with W/(2 mu). In another file, the effort.
 const facing = {

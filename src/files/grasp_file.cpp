@@ -158,7 +158,7 @@ Contact<Dim> read_contact(const Field& field, double unit, bool outward,
                           const std::optional<ShapeOf<Dim>>& shape) {
   Keys of_plane = contact_keys<2>();
   of_plane.emplace_back("pad");
-  check_keys<Dim>(field, {}, of_plane, contact_keys<3>());
+  check_keys<Dim>(field, {"adhesion"}, of_plane, contact_keys<3>());
   const Field position = field.get("position", coordinates<Dim>);
   field.get("friction", "a number");
   Contact<Dim> contact;
@@ -246,20 +246,35 @@ Field read_shape_of_object(const Field& root, double unit, CommonFile<Dim>& file
   return object;
 }
 
+/// The pull at a contact, if there is one. What limits the force of the finger limits what it
+/// presses with less.
 template <int Dim>
-void read_contacts(const Field& root, double unit, CommonFile<Dim>& file) {
+void read_adhesion(const Field& field, Contact<Dim>& contact, std::vector<Pull<Dim>>& pulls) {
+  const auto adhesion = field.find("adhesion");
+  if (!adhesion) return;
+  const double force = adhesion->above_zero();
+  contact.max_normal += force;
+  if (contact.min_normal > 0) contact.min_normal += force;
+  pulls.push_back({contact, force});
+}
+
+template <int Dim>
+std::vector<Pull<Dim>> read_contacts(const Field& root, double unit, CommonFile<Dim>& file) {
+  std::vector<Pull<Dim>> pulls;
   const auto normals = root.find("normals");
   const bool outward = normals && normals->word({"inward", "outward"}) == "outward";
   const std::vector<Field> list = root.get("contacts", "a list").list();
-  const bool has_pads = std::any_of(list.begin(), list.end(), [](const Field& contact) {
-    return contact.find("pad").has_value();
+  // A planar pad makes two of one, and a pull adds one: then a finger's own name is the number of
+  // the file's contact.
+  const bool has_more = std::any_of(list.begin(), list.end(), [](const Field& contact) {
+    return (Dim == 2 && contact.find("pad")) || contact.find("adhesion");
   });
   for (std::size_t i = 0; i < list.size(); ++i) {
     file.contacts.push_back(read_contact<Dim>(list[i], unit, outward, file.shape));
+    if (std::string& finger = file.contacts.back().finger; has_more && finger.empty())
+      finger = std::to_string(i);
+    read_adhesion(list[i], file.contacts.back(), pulls);
     if constexpr (Dim == 2) {
-      // A pad makes two of one: then a finger's own name is that of the file's contact.
-      if (std::string& finger = file.contacts.back().finger; has_pads && finger.empty())
-        finger = std::to_string(i);
       if (const auto pad = list[i].find("pad")) {
         const std::vector<Contact<2>> ends = ends_of_pad(*pad, unit, file.contacts.back());
         file.contacts.pop_back();
@@ -267,6 +282,7 @@ void read_contacts(const Field& root, double unit, CommonFile<Dim>& file) {
       }
     }
   }
+  return pulls;
 }
 
 /// The contacts of a gripper that closes on the shape.
@@ -318,8 +334,9 @@ PlanarFile read_planar(const Field& root) {
   const double unit = read_unit(root);
   const Field object = read_shape_of_object<2>(root, unit, file);
   file.loads = read_loads<2>(root, object, unit, file.shape);
-  read_contacts<2>(root, unit, file);
+  const std::vector<Pull<2>> pulls = read_contacts<2>(root, unit, file);
   file.mechanism = read_mechanism<2>(root, unit, file.contacts);
+  add_pulls(pulls, file.contacts, file.mechanism);
   check_grasp<2>(root, file);
   return file;
 }
@@ -335,12 +352,16 @@ SpatialFile read_spatial(const Field& root) {
   const double unit = read_unit(root);
   const Field object = read_shape_of_object<3>(root, unit, file);
   file.loads = read_loads<3>(root, object, unit, file.shape);
-  if (const auto gripper = root.find("gripper"))
+  std::vector<Pull<3>> pull;
+  if (const auto gripper = root.find("gripper")) {
     close_gripper(root, *gripper, unit, file);
-  else
-    read_contacts<3>(root, unit, file);
+    pull = pulls(*file.gripper, file.contacts);
+  } else {
+    pull = read_contacts<3>(root, unit, file);
+  }
   file.mechanism = read_mechanism<3>(root, unit, file.contacts,
                                      file.gripper ? mechanism(*file.gripper) : Mechanism<3>{});
+  add_pulls(pull, file.contacts, file.mechanism);
   check_grasp<3>(root, file);
   return file;
 }

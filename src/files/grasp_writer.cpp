@@ -132,6 +132,17 @@ Json gripper_value(const ParallelJaw& jaw) {
   return with_forces(std::move(value), jaw);
 }
 
+Json gripper_value(const Suction& suction) {
+  Json value = pose_value("suction", suction.pose);
+  value["direction"] = json_value(suction.direction);
+  value["cups"] = Json::array();
+  for (const Vector<3>& cup : suction.cups) value["cups"].push_back(json_value(cup));
+  value["diameter"] = suction.diameter;
+  value["adhesion"] = suction.adhesion;
+  value["friction"] = suction.friction;
+  return value;
+}
+
 Json gripper_value(const Fingertips& hand) {
   Json value = pose_value("fingertips", hand.pose);
   value["rays"] = Json::array();
@@ -187,8 +198,15 @@ std::string grasp_document(const SpatialFile& file, WriteAs as, const std::strin
     result["gripper"] = std::visit([](const auto& g) { return gripper_value(g); }, *file.gripper);
   else
     result["contacts"] = contact_values(file.contacts);
-  add_mechanism(result, file.mechanism,
-                result.contains("gripper") ? mechanism(*file.gripper) : Mechanism<3>{});
+  Mechanism<3> otherwise;
+  if (result.contains("gripper")) {
+    std::vector<Contact<3>> touching = file.contacts;
+    const auto is_pull = [&](const Contact<3>& contact) { return !contact.pad; };
+    if (std::holds_alternative<Suction>(*file.gripper)) std::erase_if(touching, is_pull);
+    otherwise = mechanism(*file.gripper);
+    add_pulls(pulls(*file.gripper, touching), touching, otherwise);
+  }
+  if (file.mechanism != otherwise) add_mechanism(result, file.mechanism, otherwise);
   return json_text(result);
 }
 

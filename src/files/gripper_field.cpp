@@ -24,11 +24,15 @@ void read_common(const Field& field, double unit, Gripper& gripper) {
   if (const auto quaternion = field.find("quaternion"))
     gripper.pose.orientation = read_quaternion(*quaternion);
   gripper.friction = field.get("friction", "a number").at_least_zero();
-  if (const auto torsion = field.find("torsion")) {
-    gripper.torsion = unit * torsion->at_least_zero();
-    if (gripper.torsion > 0 && gripper.friction == 0)
-      torsion->fail("is given without friction, must be left out, or give friction above 0");
-  }
+}
+
+template <class Gripper>
+void read_torsion(const Field& field, double unit, Gripper& gripper) {
+  const auto torsion = field.find("torsion");
+  if (!torsion) return;
+  gripper.torsion = unit * torsion->at_least_zero();
+  if (gripper.torsion > 0 && gripper.friction == 0)
+    torsion->fail("is given without friction, must be left out, or give friction above 0");
 }
 
 int read_samples(const Field& field) {
@@ -47,6 +51,7 @@ ParallelJaw read_jaw(const Field& field, double unit) {
   if (const auto torsion = field.find("torsion"); torsion && jaw.contact == JawContact::pads)
     torsion->fail("is given for pads, must be left out: their points resist the twist");
   read_common(field, unit, jaw);
+  read_torsion(field, unit, jaw);
   if (const auto force = field.find("max_force")) jaw.max_force = force->above_zero();
   jaw.pose.position = unit * field.get("position", coordinates<3>).vector<3>();
   jaw.opening = unit * field.get("opening", "the distance of the open pads").above_zero();
@@ -75,6 +80,7 @@ Fingertips read_fingertips(const Field& field, double unit) {
   field.mapping({"type", "position", "quaternion", "rays", "friction", "torsion", "max_force"});
   Fingertips hand;
   read_common(field, unit, hand);
+  read_torsion(field, unit, hand);
   if (const auto force = field.find("max_force")) hand.max_force = force->at_least_zero();
   if (const auto position = field.find("position"))
     hand.pose.position = unit * position->vector<3>();
@@ -84,12 +90,34 @@ Fingertips read_fingertips(const Field& field, double unit) {
   return hand;
 }
 
+Suction read_suction(const Field& field, double unit) {
+  field.mapping(
+      {"type", "position", "quaternion", "direction", "cups", "diameter", "adhesion", "friction"});
+  Suction suction;
+  read_common(field, unit, suction);
+  if (const auto position = field.find("position"))
+    suction.pose.position = unit * position->vector<3>();
+  if (const auto direction = field.find("direction")) {
+    suction.direction = direction->vector<3>();
+    if (!(suction.direction.stableNorm() > 0))
+      direction->fail("has no length, must be a direction");
+    suction.direction = suction.direction.stableNormalized();
+  }
+  const Field cups = field.get("cups", "a list of [x, y, z]");
+  for (const Field& cup : cups.list()) suction.cups.emplace_back(unit * cup.vector<3>());
+  if (suction.cups.empty()) cups.fail("is empty, must hold at least one cup");
+  suction.diameter = unit * field.get("diameter", "that of a cup's rim").above_zero();
+  suction.adhesion = field.get("adhesion", "the pull of a cup [N]").above_zero();
+  return suction;
+}
+
 }  // namespace
 
 Gripper read_gripper(const Field& field, double unit) {
-  const Field type = field.get("type", "parallel_jaw or fingertips");
-  if (type.word({"parallel_jaw", "fingertips"}) == "fingertips")
-    return read_fingertips(field, unit);
+  const Field type = field.get("type", "parallel_jaw, fingertips or suction");
+  const std::string& name = type.word({"parallel_jaw", "fingertips", "suction"});
+  if (name == "suction") return read_suction(field, unit);
+  if (name == "fingertips") return read_fingertips(field, unit);
   return read_jaw(field, unit);
 }
 

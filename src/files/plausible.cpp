@@ -178,7 +178,10 @@ std::vector<std::string> doubts(const CommonFile<Dim>& file, const Grasp<Dim>& g
                        "the touching area");
     const Vector<Dim>& r = contact.position;
     const auto [first, is_new] = positions.try_emplace({r.begin(), r.end()}, i);
-    if (!is_new)
+    // A pull acts where the contact presses, against its normal.
+    const bool opposed =
+        !is_new && contact.normal.dot(grasp.contacts()[first->second].normal) < -0.5;
+    if (!is_new && !opposed)
       doubts.add(path + ".position",
                  "is the same as that of contacts[" + std::to_string(first->second) + "]");
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -250,6 +251,39 @@ Grip grip_of(const Fingertips& hand, const Surface& surface) {
   return grip;
 }
 
+/// The rim of a cup that lies on the surface.
+Pad rim(double diameter, const Vector<3>& normal) {
+  constexpr int points = 8;
+  const Eigen::Matrix<double, 3, 2> plane = tangents(normal);
+  Pad pad;
+  for (int k = 0; k < points; ++k) {
+    const double angle = 2 * std::numbers::pi * k / points;
+    pad.points.emplace_back(diameter / 2 * plane * Vector<2>(std::cos(angle), std::sin(angle)));
+  }
+  pad.shares.assign(points, 1.0 / points);
+  pad.axis = plane.col(0);
+  pad.reach = Vector<2>::Constant(diameter / 2 / std::numbers::sqrt2);
+  return pad;
+}
+
+Grip grip_of(const Suction& suction, const Surface& surface) {
+  Grip grip;
+  const Vector<3> direction = suction.pose.orientation * suction.direction;
+  for (std::size_t i = 0; i < suction.cups.size(); ++i) {
+    const std::string name = "cup " + std::to_string(i);
+    const Touch at = touch(surface, suction.pose.position + suction.pose.orientation * suction.cups[i],
+                           direction, std::numeric_limits<double>::infinity(), name);
+    if (at.inside) throw MissedGrip(name + " begins inside the object: begin farther out");
+    if (!at.meeting) throw MissedGrip(name + " meets nothing: it passes the object");
+    Contact<3> contact = contact_at(*at.meeting, direction);
+    contact.friction = suction.friction;
+    contact.pad = rim(suction.diameter, contact.normal);
+    contact.finger = name;
+    grip.add(std::move(contact), from_behind(*at.meeting, direction));
+  }
+  return grip;
+}
+
 /// "contacts 0 to 15 and 20 meet"
 std::string numbers_of(const std::vector<bool>& chosen) {
   std::vector<std::string> parts;
@@ -300,6 +334,13 @@ Mechanism<3> mechanism(const Gripper& gripper) {
   return {.kind = DriveKind::coupled,
           .fingers = {{"left", direction_of(*jaw, -1), jaw->max_force},
                       {"right", direction_of(*jaw, 1), jaw->max_force}}};
+}
+
+std::vector<Pull<3>> pulls(const Gripper& gripper, const std::vector<Contact<3>>& contacts) {
+  std::vector<Pull<3>> pulls;
+  if (const auto* suction = std::get_if<Suction>(&gripper))
+    for (const Contact<3>& contact : contacts) pulls.push_back({contact, suction->adhesion});
+  return pulls;
 }
 
 }  // namespace poise

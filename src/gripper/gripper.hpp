@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gripper/surface.hpp"
-#include "poise/hand.hpp"
+#include "poise/adhesion.hpp"
 
 namespace poise {
 
@@ -55,7 +55,17 @@ struct Fingertips {
   double max_force{std::numeric_limits<double>::infinity()};  ///< of each [N]
 };
 
-using Gripper = std::variant<ParallelJaw, Fingertips>;
+/// Cups that are pushed against the object, all in one direction, until their rims touch.
+struct Suction {
+  Pose pose{};
+  Vector<3> direction = -Vector<3>::UnitZ();  ///< of length 1, gripper frame
+  std::vector<Vector<3>> cups{};              ///< the middles of their rims, gripper frame [m]
+  double diameter{0};                         ///< of a rim [m], > 0
+  double adhesion{0};                         ///< pull of each cup [N], > 0
+  double friction{0};
+};
+
+using Gripper = std::variant<ParallelJaw, Fingertips, Suction>;
 
 /// A gripper that does not hold the object between its fingers; what() says why.
 class MissedGrip : public std::runtime_error {
@@ -76,6 +86,9 @@ class MissedGrip : public std::runtime_error {
 /// these rays and such from the corners of the cells: all of a pad, half its size. Where it touches
 /// at one point alone it is a point contact. Of facets each has 1 / samples of the pad as its
 /// share, whether or not the others touch.
+/// A cup is a pad: its rim, in the plane of the surface where the middle of the cup meets it. Eight
+/// points carry equal parts. The centre of pressure may move as far as a square in the rim allows,
+/// so that the rim carries a tilting moment; in truth it may move up to 1.41 times as far.
 /// @param notes  gets what looks like a mistake, in words: "contacts 0 to 15 meet the surface ..."
 /// @throws MissedGrip where a finger misses the object, begins inside it, or is so far away that no
 ///         digits are left; then also where the object is, and of what size
@@ -83,6 +96,10 @@ std::vector<Contact<3>> contacts(const Gripper& gripper, const Surface& surface,
                                  std::vector<std::string>* notes = nullptr);
 
 /// What moves its fingers: one drive closes both pads of a jaw along x, each fingertip has its own.
+/// Of suction see pulls().
 Mechanism<3> mechanism(const Gripper& gripper);
+
+/// What pulls the object onto a gripper that touches it there, see add_pulls().
+std::vector<Pull<3>> pulls(const Gripper& gripper, const std::vector<Contact<3>>& contacts);
 
 }  // namespace poise

@@ -1,5 +1,5 @@
 // The object in space as it hangs: gravity points down on the screen.
-import { proofOf, type NotHeld } from './core';
+import { proofOf, stillForce, turningForce, type NotHeld } from './core';
 import type { Picture } from './files';
 import { Canvas, colour, seen, type Eye, type Loaded, type Pose } from './gl';
 import type { Point, Vec } from './grasp';
@@ -69,10 +69,10 @@ export class BodyView {
     turnable(this.ground, model, () => this.eye.scale * model.frame.radius);
     set(this.com, { 'aria-label': 'Centre of mass: arrow keys move it' });
     draggable(this.com, (event) => {
-      const grip = this.grip(event, model.scenario.com);
+      const grip = this.grip(event, model.deciding.com);
       return (e) => this.moveCom(grip(e));
     });
-    keySteps(this.com, (dx, dy) => this.moveCom(add(model.scenario.com, this.step(dx, dy))));
+    keySteps(this.com, (dx, dy) => this.moveCom(add(model.deciding.com, this.step(dx, dy))));
   }
 
   /** From the object's frame to the world, in which the middle of the frame is 0. */
@@ -157,7 +157,7 @@ export class BodyView {
   private perNewton(): number {
     const { check, hold } = this.model.answers;
     const { radius } = this.model.frame;
-    const heaviest = Math.max(...check.scenarios.map(({ weight }) => weight));
+    const heaviest = Math.max(...check.loads.map((load) => Math.max(Math.abs(turningForce(load)), length(stillForce(load) as unknown as Vec))));
     const largest = hold.holdable ? Math.max(...hold.contacts.map((each) => length(each.force))) : 0;
     return Math.min((0.55 * radius) / heaviest, (0.9 * radius) / (largest || 1e-300));
   }
@@ -184,7 +184,7 @@ export class BodyView {
   private drawForces(): void {
     const { check, hold } = this.model.answers;
     const { canvas } = this;
-    const { scenario } = this.model;
+    const load = this.model.deciding;
     const { radius } = this.model.frame;
     const perNewton = this.perNewton();
     check.contacts.forEach((contact, i) => {
@@ -198,10 +198,11 @@ export class BodyView {
       const pad = { turn: frame(n), stretch: [wide, wide, thick] as Vec, at: minus(at, times(thick, n)) };
       canvas.solid(this.shaft, pad, colour(limited ? '--limit' : '--outline'));
     });
-    const com = this.world(scenario.com);
+    const com = this.world(load.com);
     const dot: Vec = [0.03 * radius, 0.03 * radius, 0.03 * radius];
     canvas.solid(this.ball, { turn: view, stretch: dot, at: com }, colour('--weight'));
-    this.arrow(com, [0, 0, -perNewton * scenario.weight], '--weight');
+    this.arrow(com, [0, 0, -perNewton * turningForce(load)], '--weight');
+    this.arrow(com, times(perNewton, turned(this.model.orientation, stillForce(load) as unknown as Vec)), '--weight');
   }
 
   private drawCones(): void {
@@ -220,7 +221,8 @@ export class BodyView {
 
   private drawLabels(): void {
     const { check, hold } = this.model.answers;
-    const { com, weight } = this.model.scenario;
+    const { com } = this.model.deciding;
+    const weight = turningForce(this.model.deciding);
     const perNewton = this.perNewton();
     const from = this.screen(com);
     const tip = this.screen(this.object(add(this.world(com), [0, 0, -perNewton * weight])));
@@ -251,7 +253,7 @@ export class BodyView {
         'aria-label': `Contact ${i}, finger ${contact.finger}: arrow keys move it`,
       });
     });
-    const [x, y] = this.screen(this.model.scenario.com);
+    const [x, y] = this.screen(this.model.deciding.com);
     set(this.com, { transform: `translate(${x} ${y})` });
   }
 
@@ -315,7 +317,7 @@ export class BodyView {
 
   private moveCom(to: Vec): void {
     this.model.edit(() => {
-      this.model.scenarioOfGrasp.com = this.within(to, 1.15);
+      this.model.mass.com = this.within(to, 1.15);
     });
   }
 

@@ -29,8 +29,9 @@ interface Posture<P> {
   dual?: number[];
   y?: number[];
   lower_bound: number;
-  scenario?: number;
-  scenario_efforts?: (number | null)[];
+  load?: number;
+  load_grips?: (number | null)[];
+  load_efforts?: (number | null)[];
 }
 
 export interface Held<P> extends Posture<P> {
@@ -87,7 +88,7 @@ export interface Curve {
   holdable_arcs_deg: Range[];
 }
 
-export type Cut = { y: number[]; scenario: number; rates?: number[] } | { n: Vec };
+export type Cut = { y: number[]; load: number; rates?: number[] } | { n: Vec };
 
 export interface SpatialBest {
   status: 'optimal' | 'gap' | 'unholdable';
@@ -118,18 +119,25 @@ interface AnyCheck<P, Shape> {
     min_normal: number;
     max_normal: number | null;
   }[];
+  loads: { name?: string; weight: number; com: P; lift: number; acceleration: P; fixed: number[] }[];
   force_closure: boolean;
   warnings: string[];
 }
 
+const gravity = 9.80665;
+
+/** What turns with gravity [N]: the weight, and what lifting the object adds. */
+export const turningForce = ({ weight, lift }: { weight: number; lift: number }) => weight * (1 + lift / gravity);
+
+/** The force of what does not, on the object [N]: of its inertia, and what pushes it. */
+export const stillForce = ({ weight, acceleration, fixed }: { weight: number; acceleration: readonly number[]; fixed: number[] }): number[] =>
+  acceleration.map((a, k) => -(weight / gravity) * a - fixed[k]!);
+
 export interface Check extends AnyCheck<Point, PlanarShape> {
-  weight: number;
-  com: Point;
   fork_deg: Range | null;
 }
 
 export interface SpatialCheck extends AnyCheck<Vec, SpatialShape> {
-  scenarios: { weight: number; com: Vec }[];
   tilt: { from: Vec; max_deg: number } | null;
 }
 

@@ -3,14 +3,12 @@ import type { Grasp } from './grasp';
 
 /** A grasp file in YAML, one line for each contact. */
 export function yaml(grasp: Grasp): string {
-  const { object, contacts, ...head } = grasp;
-  const inside = Object.entries(object).flatMap(([key, value]) =>
-    key === 'scenarios' ? [`  ${key}:`, ...value.map((each: unknown) => `    - ${flow(each)}`)] : [`  ${key}: ${flow(value)}`],
-  );
+  const { object, contacts, loads, ...head } = grasp;
   return [
     ...Object.entries(head).map(([key, value]) => `${key}: ${flow(value)}`),
     'object:',
-    ...inside,
+    ...Object.entries(object).map(([key, value]) => `  ${key}: ${flow(value)}`),
+    ...(loads ? ['loads:', ...loads.map((load) => `  - ${flow(load)}`)] : []),
     'contacts:',
     ...contacts.map((contact) => `  - ${flow(contact)}`),
     '',

@@ -25,12 +25,23 @@ export interface Contact<P> {
   finger?: string;
 }
 
+/** What acts in one case; weight and com are the object's where they are left out. */
+export interface LoadEntry<P> {
+  name?: string;
+  weight?: number;
+  com?: P;
+  acceleration?: { up?: number; fixed?: P };
+  force?: P;
+  moment?: number | Vec;
+}
+
 interface AnyGrasp<P> {
   poise: number;
   name?: string;
   safety?: number;
   objective?: Objective;
   contacts: Contact<P>[];
+  loads?: LoadEntry<P>[];
 }
 
 export interface PlanarGrasp extends AnyGrasp<Point> {
@@ -40,16 +51,11 @@ export interface PlanarGrasp extends AnyGrasp<Point> {
   object: { weight: number; com: Point; shape?: PlanarShape };
 }
 
-export interface Scenario {
-  weight: number;
-  com: Vec;
-}
-
 export interface SpatialGrasp extends AnyGrasp<Vec> {
   dimension: 3;
   up?: Vec;
   tilt?: { from: Vec; max_deg: number };
-  object: (Scenario | { scenarios: Scenario[] }) & { shape?: SpatialShape };
+  object: { weight: number; com: Vec; shape?: SpatialShape };
 }
 
 export type Grasp = PlanarGrasp | SpatialGrasp;
@@ -57,6 +63,38 @@ export type Grasp = PlanarGrasp | SpatialGrasp;
 export type Domain = 'all' | 'pinching-up';
 export type Objective = 'grip' | 'effort';
 
-/** What the object may be: parts of the grasp, to be changed there. */
-export const scenariosOf = ({ object }: SpatialGrasp): Scenario[] =>
-  'scenarios' in object ? object.scenarios : [object];
+/** What a load weighs and where, to be changed where it is written. */
+export interface Mass<P> {
+  name: string;
+  weight: number;
+  com: P;
+}
+
+/** Of each load. */
+export function massesOf<P>({ object, loads }: { object: { weight: number; com: P }; loads?: LoadEntry<P>[] }): Mass<P>[] {
+  return (loads ?? [{}]).map((entry: LoadEntry<P>, k) => ({
+    name: entry.name ?? `${k}`,
+    get weight() {
+      return entry.weight ?? object.weight;
+    },
+    set weight(value) {
+      (entry.weight === undefined ? object : entry).weight = value;
+    },
+    get com() {
+      return entry.com ?? object.com;
+    },
+    set com(value) {
+      (entry.com === undefined ? object : entry).com = value;
+    },
+  }));
+}
+
+/** One of each that can be changed by itself. */
+export function ownMassesOf<P>(grasp: { object: { weight: number; com: P }; loads?: LoadEntry<P>[] }): Mass<P>[] {
+  const is = (k: number) => {
+    const { weight, com } = grasp.loads?.[k] ?? {};
+    return weight !== undefined || com !== undefined;
+  };
+  const first = (grasp.loads ?? [{}]).findIndex((_, k) => !is(k));
+  return massesOf(grasp).filter((_, k) => k === first || is(k));
+}

@@ -1,6 +1,6 @@
 // Numbers to type and to slide, and tables of what they lead to.
 import type { AnyHold, GripUnit, Kind } from './core';
-import { scenariosOf, type Contact, type Vec } from './grasp';
+import { massesOf, ownMassesOf, type Contact, type Vec } from './grasp';
 import { symbol } from './plot';
 import type { SpatialModel } from './space';
 import type { PlanarModel } from './state';
@@ -200,11 +200,11 @@ export class PlanarControls extends Controls<PlanarModel> {
 
 export class SpatialControls extends Controls<SpatialModel> {
   protected soft = true;
-  protected heaviest = () => Math.max(...scenariosOf(this.model.grasp).map(({ weight }) => weight));
+  protected heaviest = () => Math.max(...massesOf(this.model.grasp).map(({ weight }) => weight));
 
   protected rows(): HTMLElement[] {
     const { model } = this;
-    const count = scenariosOf(model.grasp).length;
+    const masses = ownMassesOf(model.grasp);
     const part = (axis: string, k: number) =>
       this.field(`Up, ${axis}`, 'number', { step: '0.1', min: '-1', max: '1' }, () => model.up[k], given((value) => {
         const to = model.up.map((old, i) => (i === k ? value : old)) as unknown as Vec;
@@ -212,10 +212,10 @@ export class SpatialControls extends Controls<SpatialModel> {
       }));
     return [
       html('label', {}, 'Up', html('span', { class: 'pair' }, ...['x', 'y', 'z'].map(part))),
-      ...Array.from({ length: count }, (_, k) => {
-        const scenario = () => scenariosOf(model.grasp)[k];
-        const of = count > 1 ? ` ${k}` : '';
-        return [this.weight(of, scenario), this.centre(of, model.frame.radius, scenario as () => { com: readonly number[] } | undefined)];
+      ...masses.map(({ name }, k) => {
+        const mass = () => ownMassesOf(model.grasp)[k];
+        const of = masses.length > 1 ? ` ${name}` : '';
+        return [this.weight(of, mass), this.centre(of, model.frame.radius, mass as () => { com: readonly number[] } | undefined)];
       }).flat(),
     ];
   }
@@ -268,7 +268,7 @@ export function drawSpatialMinima(parent: HTMLElement, model: SpatialModel): voi
     kind: 'smooth' as const,
     first: `(${each.up.map((part) => fixed(part, 3)).join(', ')})`,
     hold: each,
-    what: `${each.manner}${each.scenario === undefined ? '' : `, scenario ${each.scenario}`}`,
+    what: `${each.manner}${each.load === undefined ? '' : `, against ${model.nameOf(each.load)}`}`,
     role: k === 0 ? 'best' : String(each.up) === String(best!.best_pinched?.up) ? 'best pinched' : '',
     here: model.minimum(model.up) === each,
     go: () => model.turnTo(each.up),

@@ -1,5 +1,5 @@
 // The object as it hangs: gravity points down on the screen.
-import { proofOf, type NotHeld, type Optimum } from './core';
+import { proofOf, stillForce, turningForce, type NotHeld, type Optimum } from './core';
 import type { Point } from './grasp';
 import { labels, type Arrow, type Finger } from './label';
 import { along, nearest, outline } from './shape';
@@ -74,7 +74,7 @@ export class Scene {
     draggable(this.com, () => (e) => this.moveCom(this.now.object(place(this.picture, e))));
     keySteps(this.com, (dx, dy) => {
       const step = times(0.02 * this.model.frame.radius, turned([dx, dy], -this.model.angle));
-      this.moveCom(add(this.model.grasp.object.com, step));
+      this.moveCom(add(this.model.deciding.com, step));
     });
   }
 
@@ -85,7 +85,7 @@ export class Scene {
     this.drawBody();
     this.drawContacts();
     this.drawForces();
-    const com = this.now.point(this.model.answers.check.com);
+    const com = this.now.point(this.model.deciding.com);
     set(this.com, { transform: `translate(${com[0]} ${com[1]})` });
   }
 
@@ -107,7 +107,7 @@ export class Scene {
       'aria-valuenow': angle.toFixed(2),
       'aria-valuetext': degrees(angle),
     });
-    const com = this.now.point(check.com);
+    const com = this.now.point(this.model.deciding.com);
     const vertical = line([com[0], 0], [com[0], this.now.height], 'vertical');
     this.back.replaceChildren(vertical, ...(hold.holdable ? [] : this.fall(hold, points)));
   }
@@ -198,8 +198,8 @@ export class Scene {
   }
 
   private moveCom(to: Point): void {
-    this.model.edit(({ object }) => {
-      object.com = this.within(to, 1.15);
+    this.model.edit(() => {
+      this.model.mass.com = this.within(to, 1.15);
     });
   }
 
@@ -214,9 +214,13 @@ export class Scene {
     const { check, hold } = this.model.answers;
     const size = this.now.scale * this.model.frame.radius;
     const forces = hold.holdable ? hold.contacts.map((each) => length(each.force)) : [];
-    const perNewton = Math.min((0.5 * size) / check.weight, (0.95 * size) / Math.max(...forces, 0));
-    const com = this.now.point(check.com);
-    const weight: Point = [com[0], com[1] + perNewton * check.weight];
+    const load = this.model.deciding;
+    const turning = turningForce(load);
+    const still = stillForce(load) as unknown as Point;
+    const largest = Math.max(Math.abs(turning), length(still));
+    const perNewton = Math.min((0.5 * size) / largest, (0.95 * size) / Math.max(...forces, 0));
+    const com = this.now.point(load.com);
+    const weight: Point = [com[0], com[1] + perNewton * turning];
     const drawn: Node[] = [...this.meeting()];
     const arrows: Arrow[] = [];
     const draw = (from: Point, to: Point, kind: string) => {
@@ -229,8 +233,9 @@ export class Scene {
         const tip = this.now.point(check.contacts[i]!.position);
         draw(tip, add(tip, this.now.direction(each.force, perNewton)), each.limit === 'none' ? 'force' : 'force limit');
       });
-    draw(com, weight, 'gravity');
-    this.front.replaceChildren(...drawn, ...labels(this.fingers(), check.weight, weight, arrows, [this.now.width, this.now.height]));
+    if (turning !== 0) draw(com, weight, 'gravity');
+    if (length(still) > 0) draw(com, add(com, this.now.direction(still, perNewton)), 'gravity');
+    this.front.replaceChildren(...drawn, ...labels(this.fingers(), turning, weight, arrows, [this.now.width, this.now.height]));
   }
 
   /** Where the edges of two cones meet at the kink nearest to this posture. */

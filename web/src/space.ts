@@ -2,7 +2,7 @@
 // sphere come from a worker, later than the rest.
 import { askSpatial, BadGrasp, type GripUnit, type Held, type Hold, type Margins, type Plane, type SpatialBest, type SpatialCheck } from './core';
 import { spatialTurning, type Turning } from './course';
-import { scenariosOf, type Objective, type SpatialGrasp, type Vec } from './grasp';
+import { massesOf, type Objective, type SpatialGrasp, type Vec } from './grasp';
 import { measure, type Measure } from './measure';
 import { bodyOf, bodyOfMesh, type Body, type Triangles } from './mesh';
 import type { Ring } from './ring';
@@ -104,14 +104,18 @@ export class SpatialModel {
     return turnedBack(this.orientation, up);
   }
 
-  /** The scenario that decides. */
-  get scenario() {
-    return this.answers.check.scenarios[this.answers.hold.scenario ?? 0]!;
+  /** The load that decides. */
+  get deciding() {
+    return this.answers.check.loads[this.answers.hold.load ?? 0]!;
+  }
+
+  nameOf(load: number): string {
+    return this.answers.check.loads[load]?.name ?? `load ${load}`;
   }
 
   /** The same as it is written in the grasp, to be changed. */
-  get scenarioOfGrasp() {
-    return scenariosOf(this.grasp)[this.answers.hold.scenario ?? 0]!;
+  get mass() {
+    return massesOf(this.grasp)[this.answers.hold.load ?? 0]!;
   }
 
   orient(orientation: Turn): void {
@@ -279,7 +283,7 @@ function turnTowards(from: Vec, to: Vec, part: number): Vec {
 }
 
 /** The part of space that is shown: fixed for a grasp, so that nothing jumps while one drags. */
-function frameOf({ contacts, scenarios }: SpatialCheck, body: Body | undefined): Ball {
+function frameOf({ contacts, loads }: SpatialCheck, body: Body | undefined): Ball {
   // Joined, as a call cannot take as many arguments as a mesh has points.
-  return ballOf(contacts.map((contact) => contact.position).concat(body ? body.points : scenarios.map(({ com }) => com)));
+  return ballOf(contacts.map((contact) => contact.position).concat(body ? body.points : loads.map(({ com }) => com)));
 }

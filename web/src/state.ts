@@ -1,7 +1,7 @@
 // What is shown: a grasp, a posture, and the answers to them.
 import { ask, BadGrasp, type Best, type Check, type Curve, type GripUnit, type Hold, type Margins, type Optimum } from './core';
 import { planarTurning, type Turning } from './course';
-import type { Domain, Objective, PlanarGrasp, Point } from './grasp';
+import { massesOf, type Domain, type Objective, type PlanarGrasp, type Point } from './grasp';
 import { measure, type Measure } from './measure';
 import { outline } from './shape';
 import { length, minus } from './vector';
@@ -99,6 +99,16 @@ export class PlanarModel {
       if (error instanceof BadGrasp) return undefined;
       throw error;
     }
+  }
+
+  /** The load that decides. */
+  get deciding() {
+    return this.answers.check.loads[this.answers.hold.load ?? 0]!;
+  }
+
+  /** Its body as it is written in the grasp, to be changed. */
+  get mass() {
+    return massesOf(this.grasp)[this.answers.hold.load ?? 0]!;
   }
 
   holdAt(angle: number, objective: Objective): Hold<Point> {

@@ -1,5 +1,5 @@
 // Why the object is held as it is, in words that come from the answer alone.
-import type { AnyHold, Held, Margins, Optimum, SpatialBest } from './core';
+import { turningForce, type AnyHold, type Held, type Margins, type Optimum, type SpatialBest } from './core';
 import { contains, slope } from './curve';
 import type { Point, Vec } from './grasp';
 import type { SpatialModel } from './space';
@@ -108,7 +108,7 @@ const sentence = (words: string) => `${words.charAt(0).toUpperCase()}${words.sli
 export function whyInSpace(model: SpatialModel, margins: Margins | undefined): string[] {
   const { check, hold } = model.answers;
   const best = model.outdated ? undefined : model.found.best;
-  const of = hold.scenario === undefined ? '' : `In scenario ${hold.scenario}, which decides: `;
+  const of = hold.load === undefined ? '' : `Against ${model.nameOf(hold.load)}, which decides: `;
   if (!hold.holdable) {
     const said = [`${of}${of ? hold.reason : sentence(hold.reason)}`];
     if (best?.status === 'unholdable') said.push(`No ${allowed(model)} posture can be held, which is proven.`);
@@ -128,8 +128,8 @@ function steepest(model: SpatialModel, hold: Held<Vec>, margins: Margins | undef
   if (measure.objective === 'grip') return margins?.slopes?.length ? amongSlopes(margins.slopes, measure.of(hold), measure.text) : '';
   const v = hold.dual!.slice(0, 3) as unknown as Vec;
   const w = hold.dual!.slice(3) as unknown as Vec;
-  const { weight, com } = model.scenario;
-  const gradient = times(weight / hold.force_norm, add(v, cross(w, com)));
+  const { com } = model.deciding;
+  const gradient = times(turningForce(model.deciding) / hold.force_norm, add(v, cross(w, com)));
   const across = minus(gradient, times(dot(gradient, hold.up), hold.up));
   const perDegree = length(across) * radians(1);
   if (perDegree < 1e-6 * hold.force_norm) return 'A small turn changes next to nothing.';

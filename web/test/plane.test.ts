@@ -81,7 +81,8 @@ test('numbers are written as the command line writes them', () => {
 describe('files', () => {
   const grasp: Grasp = {
     poise: 1, dimension: 3, name: 'a "name": with <b>, # and ä',
-    object: { scenarios: [{ weight: 1, com: [0, 0, 0.125] }, { weight: 2, com: [0, 0, 0] }] },
+    object: { weight: 1, com: [0, 0, 0.125] },
+    loads: [{ name: 'full' }, { weight: 2, com: [0, 0, 0] }],
     contacts: [{ position: [1, 0, 0], normal: [-1, 0, 0], friction: 1e-7, finger: "it's" }],
   };
   test('in YAML have a line for each contact', () => {
@@ -90,9 +91,11 @@ describe('files', () => {
       'dimension: 3',
       'name: "a \\"name\\": with <b>, # and ä"',
       'object:',
-      '  scenarios:',
-      '    - {weight: 1, com: [0, 0, 0.125]}',
-      '    - {weight: 2, com: [0, 0, 0]}',
+      '  weight: 1',
+      '  com: [0, 0, 0.125]',
+      'loads:',
+      '  - {name: "full"}',
+      '  - {weight: 2, com: [0, 0, 0]}',
       'contacts:',
       '  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1e-7, finger: "it\'s"}',
       '',
