@@ -288,6 +288,14 @@ void close_gripper(const Field& root, const Field& gripper, double unit, Spatial
   }
 }
 
+/// Where the file says what a grasp has at a path: several loads may come from one entry.
+template <int Dim>
+std::string path_in_file(const Field& root, const std::string& path) {
+  if (!path.starts_with("loads[")) return path;
+  const std::size_t end = path.find(']');
+  return load_paths<Dim>(root)[std::stoul(path.substr(6, end - 6))] + path.substr(end + 1);
+}
+
 /// Checks the grasp, and adds what is doubtful in it to the warnings.
 template <int Dim>
 void check_grasp(const Field& root, CommonFile<Dim>& file) {
@@ -305,7 +313,8 @@ void check_grasp(const Field& root, CommonFile<Dim>& file) {
     const std::vector<std::string> lines = doubts<Dim>(file, grasp, root);
     file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
   } catch (const InvalidGrasp& error) {
-    throw FileError(root.file(), root.follow(error.path()).place(), error.path(), error.problem());
+    const std::string path = path_in_file<Dim>(root, error.path());
+    throw FileError(root.file(), root.follow(path).place(), path, error.problem());
   }
 }
 
