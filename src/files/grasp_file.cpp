@@ -293,7 +293,17 @@ template <int Dim>
 std::string path_in_file(const Field& root, const std::string& path) {
   if (!path.starts_with("loads[")) return path;
   const std::size_t end = path.find(']');
-  return load_paths<Dim>(root)[std::stoul(path.substr(6, end - 6))] + path.substr(end + 1);
+  const std::string entry = load_paths<Dim>(root)[std::stoul(path.substr(6, end - 6))];
+  const std::string field = path.substr(end + 2);
+  // What an entry does not say is as the object says.
+  Keys keys;
+  if (field == "weight") keys = {"weight", "mass", "density", "inertial"};
+  if (field.starts_with("com")) keys = {"com", "inertial"};
+  const Field own = root.follow(entry);
+  const bool is_own =
+      keys.empty() || std::any_of(keys.begin(), keys.end(),
+                                  [&](std::string_view key) { return own.find(key).has_value(); });
+  return (is_own ? entry : "object") + "." + field;
 }
 
 /// Checks the grasp, and adds what is doubtful in it to the warnings.
