@@ -923,6 +923,14 @@ inline const std::vector<BadFile> bad_files{
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
      "4:24: loads[0].acceleration: is of an object without mass, must be left out"},
+    {"nothing in one of the loads",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: [{acceleration: {any: 1}}, {weight: 0}]\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "4:44: loads[1].weight: is 0, must be above 0 where nothing else acts"},
     {"shape of the plane",
      "poise: 1\n"
      "dimension: 3\n"
