@@ -194,8 +194,8 @@ bool Oracle::quick_grip(std::size_t s, const Vector<3>& x, Answer& answer) const
 
 Answer Oracle::general_answer(const Vector<3>& x, double target) {
   Answer worst{-1, {}};
+  ++holds;
   for (std::size_t s = 0; s < loads_.size(); ++s) {
-    ++holds;
     Answer answer;
     if (!quick_grip(s, x, answer)) answer = answer_by_interior(s, x, target);
     const bool holdable = answer.value <= most;
@@ -277,13 +277,13 @@ Answer Oracle::evaluate(const Vector<3>& x, const Aim& aim) {
   if (!cones_.empty()) return general_answer(x, aim.target);
   using Origin = HalfSpace::Origin;
   Answer worst{-1, {}};
+  ++holds;
   for (std::size_t s = 0; s < loads_.size(); ++s) {
     const ScaledLoad& load = loads_[s];
     const Wrench<3> w = load.at(x);
     dual::Point<3> point(load.problem.size);
     const bool is_near = aim.start != nullptr && aim.start->load == s;
     Twist<3> start = is_near ? aim.start->y : dual::cold_start(load.problem, w);
-    ++holds;
     if (aim.proven > 0 &&
         needs_at_least(aim.best / load.unit, aim.proven / load.unit, load.problem, w, start, point))
       return {2 * load.unit * point.value, half_space(point, s, x, Origin::held)};
