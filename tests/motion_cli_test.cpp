@@ -68,10 +68,10 @@ TEST_F(Motions, ALiftTakesTheClosedForm) {
   const double factor = std::sqrt((30 / 0.5 - g) / 2);  // g + 2 s = F / m
   EXPECT_NEAR(document["speed"]["factor"], factor, 1e-5);
   EXPECT_NEAR(document["speed"]["bound"], factor, 1e-5);
-  const std::string csv = contents(folder_ / "out.csv");
+  const std::string csv = contents(folder() / "out.csv");
   EXPECT_EQ(csv.substr(0, 24), "t,grip,lower_bound,held\n");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 102);
-  EXPECT_NE(contents(folder_ / "out.svg").find("</svg>"), std::string::npos);
+  EXPECT_NE(contents(folder() / "out.svg").find("</svg>"), std::string::npos);
 }
 
 TEST_F(Motions, SlipWhereTheJawGivesNoMore) {

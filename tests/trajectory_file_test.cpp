@@ -60,7 +60,7 @@ TEST_F(Trajectories, SayWhatIsWrongByRowAndColumn) {
   EXPECT_EQ(problem(header + "0,0,0,0,1,0,0,0\n0,0,0,0,1,0,0,0\n"),
             ":3:1: row 2, column t: is 0, must be above that of the row before, 0");
   EXPECT_EQ(problem(header + "0,0,0,0,1,0,0,0\n1,0,0,0,30,0,45,0\n"),
-            ":3:9: row 2, column qw: begins a quaternion of length 54.0833, must be 1: are these "
+            ":3:9: row 2, column qw: begins a quaternion of length 54.083269132, must be 1: are these "
             "angles in degrees?");
   EXPECT_EQ(problem(header + "0,0,0,0,0.5,0,0,0\n"),
             ":2:9: row 1, column qw: begins a quaternion of length 0.5, must be 1");
@@ -82,7 +82,7 @@ TEST_F(Trajectories, WarnOfGapsAndOfQuaternionsThatAreALittleOff) {
   const TrajectoryFile read = this->read(text);
   ASSERT_EQ(read.warnings.size(), 2U);
   EXPECT_EQ(read.warnings[0].substr(file_.string().size()),
-            ":6:15: row 5, column qw: begins a quaternion of length 1.02: it is made of length 1");
+            ":6:16: row 5, column qw: begins a quaternion of length 1.02: it is made of length 1");
   EXPECT_EQ(read.warnings[1].substr(file_.string().size()),
             ":12:1: row 11, column t: comes 2.01 s after the row before, where 0.01 s is usual: "
             "what happens between is not known");

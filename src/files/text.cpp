@@ -1,5 +1,6 @@
 #include "files/text.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <iostream>
@@ -12,10 +13,14 @@ namespace poise {
 namespace {
 
 std::string read_all(std::istream& in, const std::string& name, std::size_t most) {
-  std::string text(most + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) throw FileError(name, {}, "", "cannot be read");
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  std::string text;
+  for (std::size_t step = 1U << 16U; in && text.size() <= most; step *= 2) {
+    const std::size_t size = text.size();
+    text.resize(std::min(size + step, most + 1));
+    in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
+    if (in.bad()) throw FileError(name, {}, "", "cannot be read");
+    text.resize(size + static_cast<std::size_t>(in.gcount()));
+  }
   return text;
 }
 

@@ -68,10 +68,13 @@ class Offsets {
             half * Vector<3>((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
         if (middle.norm() - std::sqrt(3.0) * half > pi) continue;  // turns farther than half round
         const double bound = std::max(cell.bound, lower_bound(middle, half));
-        if (bound < infinity) open.push({middle, half, bound});
+        if (closed(bound))
+          left_out_ = std::min(left_out_, bound);
+        else
+          open.push({middle, half, bound});
       }
     }
-    const double open_bound = open.empty() ? infinity : open.top().bound;
+    const double open_bound = std::min(left_out_, open.empty() ? infinity : open.top().bound);
     found_.lower_bound = std::min(open_bound, found_.value);
     found_.optimal = closed(open_bound);
     if (found_.rotation.w() < 0) found_.rotation.coeffs() *= -1;
@@ -168,17 +171,20 @@ class Offsets {
     return bound - rounding * std::abs(bound);
   }
 
-  double lower_bound(const Vector<3>& middle, double half) const {
+  /// Of all rotations of a cube; no more of the cuts than close it are looked at.
+  double lower_bound(const Vector<3>& middle, double half) {
     const Eigen::Quaterniond back = rotation(middle).conjugate();
     const double angle = std::min(std::sqrt(3.0) * half, pi);
     double most = 0;
-    for (const Cut& cut : cuts_) {
-      const double bound = lower_bound(cut, back, angle);
-      if (cut.most < infinity) {
-        if (bound > cut.most) return infinity;
-      } else {
+    for (std::size_t k = 0; k < cuts_.size(); ++k) {
+      const double bound = lower_bound(cuts_[k], back, angle);
+      if (cuts_[k].most == infinity)
         most = std::max(most, bound);
-      }
+      else if (bound > cuts_[k].most)
+        most = infinity;
+      if (!closed(most)) continue;
+      std::swap(cuts_[k], cuts_[k / 2]);  // cuts that close much come first
+      break;
     }
     return most;
   }
@@ -230,6 +236,7 @@ class Offsets {
   std::vector<Seen> seen_;
   std::vector<Cut> cuts_;
   std::vector<std::size_t> hard_;  ///< states that were the ones to need most
+  double left_out_{infinity};      ///< the least bound of cubes that were closed
   WristOffset found_;
 };
 
