@@ -62,10 +62,12 @@ class Body {
   std::vector<Vector<Dim>> held() const { return hull_ ? hull_->corners() : std::vector<Vector<Dim>>{}; }
 
  private:
-  /// Whether a point may lie beside the line from the inside to what is asked.
-  enum class Beside { no, allowed };
-  /// Asks, and remembers the cut: a point that is held, as far towards z as is known, if any.
-  std::optional<Vector<Dim>> look(const Vector<Dim>& z, Beside beside);
+  /// Points that are held: as far towards what was asked as is known, and one beside that line.
+  struct Held {
+    std::optional<Vector<Dim>> on_line, beside;
+  };
+  /// Asks, and remembers the cut.
+  Held look(const Vector<Dim>& z);
   double end_of(const Vector<Dim>& direction, double far) const;
   std::optional<Vector<Dim>> look_along(const Vector<Dim>& direction, double far);
   bool span(double far);
