@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
-
 #include <random>
 
 #include "poise/posture.hpp"
@@ -151,8 +150,8 @@ double excess(const Grasp<Dim>& grasp, const ShakeCut<Dim>& cut, const Wrench<Di
     }
     if (power > 0 && contact.max_normal == infinity)  // of forces as long as the force cap
       squares += power * power / (1 + contact.friction * contact.friction);
-    most += power * (power > 0 && contact.max_normal < infinity ? contact.max_normal
-                                                                 : contact.min_normal);
+    most += power *
+            (power > 0 && contact.max_normal < infinity ? contact.max_normal : contact.min_normal);
   }
   return cut.y.dot(w) - most - std::sqrt(squares) * 1e6 * grasp.size();
 }
@@ -303,8 +302,8 @@ TEST(Shake, OfABlockOnATrayIsThatOfItsCone) {
   }
   // In space with the com between four feet: a round cone.
   std::vector<Contact<3>> feet;
-  for (const Vector<3>& at : {Vector<3>(1, 1, 0), Vector<3>(1, -1, 0), Vector<3>(-1, 1, 0),
-                              Vector<3>(-1, -1, 0)})
+  for (const Vector<3>& at :
+       {Vector<3>(1, 1, 0), Vector<3>(1, -1, 0), Vector<3>(-1, 1, 0), Vector<3>(-1, -1, 0)})
     feet.push_back(finger(at, upright, 0.4, ""));
   const Grasp<3> grasp({.weight = 5}, feet);
   const double slope = std::atan(0.4);
@@ -355,10 +354,10 @@ TEST(Shake, IsNothingWhereThePostureIsNotHeld) {
 /// Hard fingers do not resist a turn about the line between them: only in one plane is there
 /// anything to gain, and that has no size.
 TEST(Shake, OfTwoHardFingersBesideTheCentreIsNothing) {
-  const Grasp<3> grasp({.weight = 1, .com = {0, 0, -0.1}},
-                       {finger({1, 0, 0}, {-1, 0, 0}, 0.8, "f0"),
-                        finger({-1, 0, 0}, {1, 0, 0}, 0.8, "f1")},
-                       1, limited<3>(2, 10));
+  const Grasp<3> grasp(
+      {.weight = 1, .com = {0, 0, -0.1}},
+      {finger({1, 0, 0}, {-1, 0, 0}, 0.8, "f0"), finger({-1, 0, 0}, {1, 0, 0}, 0.8, "f1")}, 1,
+      limited<3>(2, 10));
   ASSERT_TRUE(hold<3>(grasp, upright).holdable);
   const Shake<3> found = shake<3>(grasp, upright);
   EXPECT_TRUE(found.holdable);

@@ -13,8 +13,8 @@ constexpr double longest_corner = 30;  ///< of the first simplex, of its shortes
 /// What is held is told a little nearer to the inside, by a part of the gap: what the solver leaves
 /// of an imbalance does not matter there.
 constexpr double pulled = 0.01;
-constexpr int most_probes = 60;        ///< along one ray
-constexpr double first_step = 1e-3;    ///< before its end
+constexpr int most_probes = 60;      ///< along one ray
+constexpr double first_step = 1e-3;  ///< before its end
 
 /// Where to ask along a ray: at its end, as far as cuts allow; where that comes nearer no more, in
 /// longer and longer steps before it.

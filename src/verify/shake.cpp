@@ -16,7 +16,7 @@ constexpr Real infinity = std::numeric_limits<Real>::infinity();
 constexpr Real pi = std::numbers::pi_v<Real>;
 constexpr Real follows = 1e-6L;  ///< of a bound, from its dual
 constexpr Real of_hull = 1e-8L;  ///< of what points in a hull reach, from their digits
-constexpr Real gap = 1e-3L, little_angle = 0.0101L * pi / 180;
+constexpr Real gap = 1e-3L, little = 1e-8L, little_angle = 0.01L * pi / 180;
 /// Beyond this part of the force cap [g] an acceleration is infinite.
 constexpr Real part_of_cap = 0.01L;
 
@@ -104,10 +104,11 @@ class Shaking {
     const Real far = part_of_cap * cap_ * standard_gravity;
     const Real found = claim.acceleration ? Real{*claim.acceleration} : infinity;
     const Real bound = claim.bound ? Real{*claim.bound} : infinity;
-    check_sides(place, found, bound, gap * found + 1e-8L, claim.proven);
+    check_sides(place, found, bound, gap * found + little, claim.proven);
     const auto rates = real_rates(verdict_, place / "proof" / "rates", real_, claim.proof.rates);
     if (!rates) return;
-    const Left left = left_by(real_, up_, load_.weight / standard_gravity, claim.proof, *rates, cap_);
+    const Left left =
+        left_by(real_, up_, load_.weight / standard_gravity, claim.proof, *rates, cap_);
     verdict_.check(place / "direction", "there is a direction where there is a bound above 0",
                    claim.direction.has_value() || !claim.bound || bound == 0);
     if (claim.direction) {
@@ -121,8 +122,9 @@ class Shaking {
     }
     if (found == 0) return;
     if (load_.weight == 0) return check_held(place, Vector<Dim>::Zero(), claim_.up);
-    check_reach(place, std::min(found, far), [](const Side<Dim>& side) { return side.b; },
-                claim.proof.held);
+    check_reach(
+        place, std::min(found, far), [](const Side<Dim>& side) { return side.b; },
+        claim.proof.held);
     for (std::size_t k = 0; k < claim.proof.held.size(); ++k)
       check_held((place / "proof" / "held")[k], claim.proof.held[k], claim_.up);
   }
@@ -130,15 +132,14 @@ class Shaking {
   void check_tilt(const Path& place) {
     const TiltClaim<Dim>& claim = claim_.tilt;
     const Real found = claim_.tilted, bound = claim.bound;
-    check_sides(place, found, bound, std::max(gap * found, little_angle), claim.proven);
+    check_sides(place, found, bound, gap * found + little_angle, claim.proven);
     const auto rates = real_rates(verdict_, place / "proof" / "rates", real_, claim.proof.rates);
     if (!rates) return;
     const Left left = left_by(real_, up_, load_.turning(), claim.proof, *rates, cap_);
     if (bound == 0) {
       check_unheld(place, found == 0, left, claim.proven);
-    } else if (bound < pi) {
-      verdict_.check(place / "weakest", "there is a weakest posture where there is a bound",
-                     claim.weakest.has_value());
+    } else if (bound < pi - follows) {
+      check_weakest(place / "weakest", claim.weakest, left, bound);
       verdict_.check(place / "bound_deg", "a posture so far away is not held, by the dual [rad]",
                      std::abs(angle_of(left.n, left.b) - bound), follows);
     }
@@ -171,11 +172,29 @@ class Shaking {
     verdict_.check(place / "proven", "proven is told where it is false", !proven.value_or(false));
     verdict_.check(place / "bound", "what is withstood is not above the bound",
                    found == bound ? 0 : found - bound, found < infinity ? of_hull * found : 0);
-    if (proven)
+    if (proven) {
+      verdict_.check(place / "proven", "proven is false only where the gap is open",
+                     found == bound || bound - found > wanted / 2);
       verdict_.unchecked(place, "it is said that more may be withstood, up to the bound");
-    else
+    } else {
       verdict_.check(place / "bound", "what is withstood is the bound, but for the gap",
                      found == bound ? 0 : bound - found, wanted * (1 + of_hull));
+    }
+  }
+
+  /// The posture at the bound, on the plane of the half-space.
+  void check_weakest(const Path& place, const std::optional<Vector<Dim>>& claim, const Left& left,
+                     Real bound) {
+    verdict_.check(place, "there is a weakest posture where there is a bound", claim.has_value());
+    if (!claim) return;
+    const Vec weakest = real(*claim);
+    const Real along = weakest.dot(up_);
+    verdict_.check(place, "it is so far away from the posture [rad]",
+                   std::abs(std::atan2((weakest - along * up_).norm(), along) - bound) +
+                       std::abs(weakest.norm() - 1),
+                   follows);
+    verdict_.check(place, "it is at the border of what the dual leaves",
+                   std::abs(left.n.dot(weakest - up_) - left.b), follows);
   }
 
   void check_unheld(const Path& place, bool nothing, const Left& left,
@@ -249,9 +268,7 @@ void check_shakes(Verdict& verdict, const Grasp<Dim>& given, const RealGrasp& gr
   }
 }
 
-template void check_shakes(Verdict&, const Grasp<2>&, const RealGrasp&,
-                           const CapacityDocument<2>&);
-template void check_shakes(Verdict&, const Grasp<3>&, const RealGrasp&,
-                           const CapacityDocument<3>&);
+template void check_shakes(Verdict&, const Grasp<2>&, const RealGrasp&, const CapacityDocument<2>&);
+template void check_shakes(Verdict&, const Grasp<3>&, const RealGrasp&, const CapacityDocument<3>&);
 
 }  // namespace poise::verify
