@@ -20,8 +20,8 @@ struct ShakeSettings {
   int max_holds{2000};  ///< holds to spend on each load, or on the search for the sturdiest posture
 };
 
-/// Proves that no more is withstood, by one half-space: for the load and every acceleration x of its
-/// com that is held besides, with y about the object frame's origin,
+/// Proves that no more is withstood, by one half-space: for the load and every acceleration x of
+/// its com that is held besides, with y about the object frame's origin,
 ///   y . (load.at(up) + W x / g through the com) <= sum of rates . max + what contacts can do,
 /// equation (8) of docs/theory.md.
 template <int Dim>
@@ -64,14 +64,15 @@ struct Tilting {
 };
 
 /// The greatest r such that every acceleration of the com up to r, in any direction, is withstood
-/// with up = `up` (unit vector, object frame), besides what the loads say already: within the limits
-/// of contacts and drives, and the given grip. Of loads without weight none has an effect.
+/// with up = `up` (unit vector, object frame), besides what the loads say already: within the
+/// limits of contacts and drives, and the given grip. Of loads without weight none has an effect.
 /// @throws InvalidGrasp for settings out of their ranges, or a given grip without grip_unit()
 template <int Dim>
 Shake<Dim> shake(const Grasp<Dim>& grasp, const Vector<Dim>& up,
                  const ShakeSettings& settings = {});
 
-/// The greatest angle such that every posture within it of `up` (unit vector, object frame) is held.
+/// The greatest angle such that every posture within it of `up` (unit vector, object frame) is
+/// held.
 /// @throws InvalidGrasp as shake()
 template <int Dim>
 Tilting<Dim> tilting(const Grasp<Dim>& grasp, const Vector<Dim>& up,

@@ -506,6 +506,51 @@ struct FrictionClaim {
   }
 };
 
+/// What proves how much is withstood: the hull of what is held, and a half-space.
+template <int Dim>
+struct ShakeProofClaim {
+  Twist<Dim> y;
+  std::optional<std::vector<double>> rates{};  ///< of the drives, where any has a max
+  std::vector<Vector<Dim>> held{};
+
+  void fields(auto& visit) {
+    visit("y", y);
+    visit.maybe("rates", rates);
+    visit("held", held);
+  }
+};
+
+/// The acceleration that is withstood in every direction.
+template <int Dim>
+struct ShakeClaim {
+  std::optional<double> acceleration{}, bound{};  ///< null: infinite
+  std::optional<Vector<Dim>> direction{};         ///< null without a bound
+  std::optional<bool> proven{};                   ///< told where it is false
+  ShakeProofClaim<Dim> proof{};                   ///< held: accelerations
+
+  void fields(auto& visit) {
+    visit("acceleration", acceleration, "bound", bound, "direction", direction);
+    visit.maybe("proven", proven);
+    visit("proof", proof);
+  }
+};
+
+/// How far the posture may be tilted.
+template <int Dim>
+struct TiltClaim {
+  double bound{0};                      ///< [rad]
+  std::optional<Vector<Dim>> weakest{};  ///< the posture so far away; null where all are held
+  std::optional<bool> proven{};         ///< told where it is false
+  ShakeProofClaim<Dim> proof{};         ///< held: vectors in place of up
+
+  void fields(auto& visit) {
+    visit.degrees("bound_deg", bound);
+    visit("weakest", weakest);
+    visit.maybe("proven", proven);
+    visit("proof", proof);
+  }
+};
+
 /// What a gripper can hold in a posture, against one load.
 template <int Dim>
 struct CapacityClaim {
@@ -516,12 +561,17 @@ struct CapacityClaim {
   WeightClaim<Dim> weight{};
   FrictionClaim<Dim> friction{};
   HoldClaim<Dim> command{};
+  ShakeClaim<Dim> shake{};
+  double tilted{0};  ///< [rad]
+  TiltClaim<Dim> tilt{};
 
   void fields(auto& visit) {
     visit("posture", posture, "up", up);
     if constexpr (Dim == 2) visit("angle_deg", angle_deg);
     visit.maybe("load", load);
-    visit("weight", weight, "friction", friction, "command", command);
+    visit("weight", weight, "friction", friction, "command", command, "shake", shake);
+    visit.degrees("tilt_deg", tilted);
+    visit("tilt", tilt);
   }
 };
 

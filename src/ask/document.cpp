@@ -419,6 +419,33 @@ void add_posture(Json& result, const PlanarFile& file) {
   result["domain"] = words_of(file.domain)[static_cast<std::size_t>(file.domain)];
 }
 
+/// Of a Shake or a Tilting of one load.
+template <int Dim, class Found>
+ShakeProofClaim<Dim> proof_claim(const Found& found) {
+  ShakeProofClaim<Dim> claim{.y = found.cut.y, .rates = some(found.cut.rates)};
+  claim.held = found.held.front();
+  return claim;
+}
+
+template <int Dim>
+ShakeClaim<Dim> shake_claim(const Shake<Dim>& found) {
+  ShakeClaim<Dim> claim{.acceleration = finite(found.acceleration),
+                        .bound = finite(found.bound),
+                        .proven = where_false(found.proven),
+                        .proof = proof_claim<Dim>(found)};
+  if (claim.bound && found.holdable) claim.direction = found.direction;
+  return claim;
+}
+
+template <int Dim>
+TiltClaim<Dim> tilt_claim(const Tilting<Dim>& found) {
+  TiltClaim<Dim> claim{.bound = found.bound,
+                       .proven = where_false(found.proven),
+                       .proof = proof_claim<Dim>(found)};
+  if (!found.cut.y.isZero(0)) claim.weakest = found.up;
+  return claim;
+}
+
 void add_posture(Json& result, const SpatialFile& file) {
   result["up"] = file.up ? json_value(*file.up) : Json();
   result["tilt"] = file.tilt ? tilt_value(*file.tilt) : Json();
@@ -505,6 +532,9 @@ CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Di
     capacity.weight = weight_claim<Dim>(grasp, load, at.capacity.weights);
     capacity.friction = friction_claim<Dim>(grasp, load, at.capacity.friction);
     capacity.command = hold_claim<Dim>(safe, load.size(grasp.length()), at.capacity.safe);
+    capacity.shake = shake_claim(at.shake);
+    capacity.tilted = at.tilting.angle;
+    capacity.tilt = tilt_claim(at.tilting);
     claim.capacities.push_back(std::move(capacity));
   }
   return claim;

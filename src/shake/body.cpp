@@ -9,11 +9,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-7;      ///< what the parts that were found may be wrong by
+constexpr double longest_corner = 30;  ///< of the first simplex, of its shortest
 /// What is held is told a little nearer to the inside, by a part of the gap: what the solver leaves
 /// of an imbalance does not matter there.
 constexpr double pulled = 0.01;
-constexpr int most_probes = 60;        ///< along one ray
-constexpr double first_step = 1e-3;    ///< before its end
+constexpr int most_probes = 60;      ///< along one ray
+constexpr double first_step = 1e-3;  ///< before its end
 
 /// Where to ask along a ray: at its end, as far as cuts allow; where that comes nearer no more, in
 /// longer and longer steps before it.
@@ -77,18 +78,20 @@ Vector<Dim> Cap<Dim>::touching(const Vector<Dim>& n, double b) const {
 }
 
 template <int Dim>
-std::optional<Vector<Dim>> Body<Dim>::look(const Vector<Dim>& z, Beside beside) {
+typename Body<Dim>::Held Body<Dim>::look(const Vector<Dim>& z) {
   ++holds;
   typename Supply<Dim>::Answer answer = supply_.ask(z);
   if (answer.cut) cuts_.push_back(std::move(*answer.cut));
   const double part = answer.part * (1 + rounding);
   if (part == infinity) return {};
-  const auto pull = [&](const Vector<Dim>& held, double part_of_way) -> Vector<Dim> {
-    return inside_ + (1 - pull_) * part_of_way * (held - inside_);
+  const auto pull = [&](const Vector<Dim>& way) -> Vector<Dim> {
+    return inside_ + (1 - pull_) * way;
   };
   // Parts are convex in z, and 0 at 0 where forces can be multiplied.
-  if (beside == Beside::allowed && supply_.is_gauge() && part > 0.5) return pull(z / part, 1);
-  return pull(z, part <= 1 ? 1 : (1 - part_inside_) / (part - part_inside_));
+  const double along = part <= 1 ? 1 : (1 - part_inside_) / (part - part_inside_);
+  Held held{pull(along * (z - inside_)), {}};
+  if (supply_.is_gauge() && part > 0.5) held.beside = pull(z / part - inside_);
+  return held;
 }
 
 /// As far from the inside as cuts allow.
@@ -107,7 +110,7 @@ std::optional<Vector<Dim>> Body<Dim>::look_along(const Vector<Dim>& direction, d
   for (int k = 0; k < most_probes; ++k) {
     const double end = probes.next(end_of(direction, far));
     if (!(end > 0)) return {};
-    const std::optional<Vector<Dim>> found = look(inside_ + end * direction, Beside::no);
+    const std::optional<Vector<Dim>> found = look(inside_ + end * direction).on_line;
     if (found && (*found - inside_).norm() > 1e-9 * end) return found;
   }
   return {};
@@ -117,10 +120,17 @@ std::optional<Vector<Dim>> Body<Dim>::look_along(const Vector<Dim>& direction, d
 template <int Dim>
 bool Body<Dim>::span(double far) {
   std::array<Vector<Dim>, Dim + 1> corners = simplex<Dim>();
+  double shortest = infinity;
   for (Vector<Dim>& corner : corners) {
     const std::optional<Vector<Dim>> found = look_along(corner, far);
     if (!found) return false;
     corner = *found;
+    shortest = std::min(shortest, (corner - inside_).norm());
+  }
+  // The shortest bounds the reach; what is much longer would cost digits.
+  for (Vector<Dim>& corner : corners) {
+    const Vector<Dim> way = corner - inside_;
+    corner = inside_ + std::min(1.0, longest_corner * shortest / way.norm()) * way;
   }
   hull_.emplace(corners);
   return !hull_->facets().empty();
@@ -151,8 +161,11 @@ bool Body<Dim>::extend(const Goal& goal, const typename Hull<Dim>::Facet& facet,
   for (int k = 0; k < most_probes; ++k) {
     const double end = probes.next(end_of(direction, wanted.horizon));
     if (!(end > length)) break;
-    const std::optional<Vector<Dim>> found = look(inside_ + end * direction, Beside::allowed);
-    if (found && hull_->add(*found)) return true;
+    const Held found = look(inside_ + end * direction);
+    bool moved = false;
+    for (const std::optional<Vector<Dim>>& z : {found.beside, found.on_line})
+      if (z && facet.n.dot(*z) > facet.b) moved = hull_->add(*z) || moved;
+    if (moved) return true;
   }
   take_bound(goal);
   return bound < before;

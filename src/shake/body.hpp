@@ -20,8 +20,8 @@ struct Ball {
   Vector<Dim> touching(const Vector<Dim>& n, double b) const { return center + reach(n, b) * n; }
 };
 
-/// The part of a sphere about 0 within an angle of a point of it. Reaches are angles, infinite where
-/// the whole sphere lies there.
+/// The part of a sphere about 0 within an angle of a point of it. Reaches are angles, infinite
+/// where the whole sphere lies there.
 template <int Dim>
 struct Cap {
   Vector<Dim> center;
@@ -34,11 +34,11 @@ struct Cap {
 
 /// When to be content.
 struct Wanted {
-  double gap;       ///< relative
-  double little;    ///< a difference in reach that does not matter
-  double far;       ///< reaches beyond are as good as infinite
-  double horizon;   ///< how far from the center to look at all
-  double enough;    ///< no longer reach is of interest
+  double gap;      ///< relative
+  double little;   ///< a difference in reach that does not matter
+  double far;      ///< reaches beyond are as good as infinite
+  double horizon;  ///< how far from the center to look at all
+  double enough;   ///< no longer reach is of interest
   int max_holds;
 };
 
@@ -59,13 +59,17 @@ class Body {
   bool proven{true};
   int holds{0};
 
-  std::vector<Vector<Dim>> held() const { return hull_ ? hull_->corners() : std::vector<Vector<Dim>>{}; }
+  std::vector<Vector<Dim>> held() const {
+    return hull_ ? hull_->corners() : std::vector<Vector<Dim>>{};
+  }
 
  private:
-  /// Whether a point may lie beside the line from the inside to what is asked.
-  enum class Beside { no, allowed };
-  /// Asks, and remembers the cut: a point that is held, as far towards z as is known, if any.
-  std::optional<Vector<Dim>> look(const Vector<Dim>& z, Beside beside);
+  /// Points that are held: as far towards what was asked as is known, and one beside that line.
+  struct Held {
+    std::optional<Vector<Dim>> on_line, beside;
+  };
+  /// Asks, and remembers the cut.
+  Held look(const Vector<Dim>& z);
   double end_of(const Vector<Dim>& direction, double far) const;
   std::optional<Vector<Dim>> look_along(const Vector<Dim>& direction, double far);
   bool span(double far);

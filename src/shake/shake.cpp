@@ -21,7 +21,6 @@ constexpr double part_of_cap = 0.01;
 constexpr double around_sphere = 20;
 
 /// The settings of one load: no longer reach is of interest than that of the loads before.
-template <int Dim>
 Wanted wanted_of(const ShakeSettings& settings, double reach) {
   return {.gap = settings.gap,
           .little = 0,
@@ -62,7 +61,7 @@ Shake<Dim> shake(const Grasp<Dim>& grasp, const Vector<Dim>& up, const ShakeSett
     const Supply<Dim> supply(hand, load, settings.force_cap);
     const Ball<Dim> ball{supply.at(up)};
     Body<Dim> body(supply, ball.center);
-    Wanted wanted = wanted_of<Dim>(settings, result.acceleration);
+    Wanted wanted = wanted_of(settings, result.acceleration);
     wanted.little = no_acceleration * standard_gravity;
     wanted.far = part_of_cap * settings.force_cap * standard_gravity;
     wanted.horizon = 4 * wanted.far;
@@ -91,7 +90,7 @@ Tilting<Dim> tilting(const Grasp<Dim>& grasp, const Vector<Dim>& up,
     const Supply<Dim> supply(hand, load, settings.force_cap);
     const Cap<Dim> cap{supply.at(up)};
     Body<Dim> body(supply, cap.center);
-    Wanted wanted = wanted_of<Dim>(settings, result.angle);
+    Wanted wanted = wanted_of(settings, result.angle);
     wanted.little = small_angle;
     wanted.horizon = around_sphere * std::abs(supply.gravity());
     const double gravity = supply.gravity();
@@ -108,8 +107,8 @@ Tilting<Dim> tilting(const Grasp<Dim>& grasp, const Vector<Dim>& up,
   return result;
 }
 
-#define POISE_INSTANTIATE(Dim)                                                                    \
-  template Shake<Dim> shake(const Grasp<Dim>&, const Vector<Dim>&, const ShakeSettings&);         \
+#define POISE_INSTANTIATE(Dim)                                                            \
+  template Shake<Dim> shake(const Grasp<Dim>&, const Vector<Dim>&, const ShakeSettings&); \
   template Tilting<Dim> tilting(const Grasp<Dim>&, const Vector<Dim>&, const ShakeSettings&);
 POISE_INSTANTIATE(2)
 POISE_INSTANTIATE(3)

@@ -92,9 +92,8 @@ typename Supply<Dim>::Answer Supply<Dim>::ask_limits(const Wrench<Dim>& w) const
   dual::Rates rates;
   rates.resize(drives_.size());
   for (std::size_t a = 0, limited = 0; a < drives_.size(); ++a)
-    rates[a] = std::isfinite(drives_[a].max)
-                   ? proof.rates[limited++] * parts_->unit / drives_[a].max
-                   : 0;
+    rates[a] =
+        std::isfinite(drives_[a].max) ? proof.rates[limited++] * parts_->unit / drives_[a].max : 0;
   return {is_held ? found.value / parts_->unit : infinity,
           cut_by(about_origin(scaled, 1 / unit_, proof.y), std::move(rates))};
 }
