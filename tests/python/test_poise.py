@@ -578,7 +578,7 @@ class Loads(unittest.TestCase):
         many = [
             poise.Load(3.5, [0.1, 0.2], lift=1.5),
             poise.Load(3.5, [0.1, 0.2], fixed=[1, -2, 0.25]),
-            poise.Load(0, [0, 0], fixed=[0, 0, 1]),
+            poise.Load(0, [0, 0], fixed=[0.5, -0.25, 1]),
             poise.Load(2, [0.1, 0.2], acceleration=[0, -3], lift=-1, name="down"),
         ]
         self.check_round_trip(many, plane)
@@ -1184,8 +1184,8 @@ class Capacities(unittest.TestCase):
                 self.assertEqual(capacity.safe.grip, shown["command"]["grip"])
 
     def test_they_are_those_of_the_program(self):
-        for name in ["hexagon-three-fingers", "ito-fig6", "tray", "box-hard-jaws", "box-soft-jaws"]
-            + ["bottle"]:
+        names = ["hexagon-three-fingers", "ito-fig6", "tray", "box-hard-jaws", "box-soft-jaws"]
+        for name in [*names, "bottle"]:
             with self.subTest(name):
                 self.check_file(ROOT / "examples" / f"{name}.yaml")
 
