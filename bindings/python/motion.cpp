@@ -10,8 +10,7 @@
 namespace poise::python {
 namespace {
 
-using Rows =
-    Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// A motion with what is known of its grasp.
