@@ -200,7 +200,8 @@ class Shaking {
   void check_unheld(const Path& place, bool nothing, const Left& left,
                     const std::optional<bool>& proven) {
     if (!nothing || proven) return;
-    verdict_.check(place / "proof", "the posture itself is not held, by the dual", left.b < 0);
+    verdict_.check(place / "proof", "nothing is withstood, by the dual", left.b,
+                   follows * standard_gravity);
   }
 
   /// The hull of what is held, from the posture.
