@@ -54,6 +54,12 @@ double scale(const Harmonic2& V) {
   return std::abs(V.c0) + std::abs(V.cos1) + std::abs(V.sin1) + std::abs(V.cos2) + std::abs(V.sin2);
 }
 
+/// Whether it is so far from 0 in the middle of an interval that it has no time to reach it.
+bool keeps_its_sign(const Harmonic2& g, double from, double to) {
+  const double steepest = std::hypot(g.cos1, g.sin1) + 2 * std::hypot(g.cos2, g.sin2);
+  return std::abs(g((from + to) / 2)) > steepest * (to - from) / 2;
+}
+
 /// The greater of two arcs between two postures.
 void append_greater(const Arc& a, const Arc& b, double from, double to, Parts& parts) {
   const Harmonic2 &A = a.value, &B = b.value;
@@ -66,7 +72,7 @@ void append_greater(const Arc& a, const Arc& b, double from, double to, Parts& p
     append(parts, {reached, end, rises ? &b : &a, nullptr});
     reached = end;
   };
-  if (scale(above) > equal)
+  if (scale(above) > equal && !keeps_its_sign(above, from, to))
     for (const Root& root : sign_changes(above, from, to))
       if (root.at - reached > same_angle && to - root.at > same_angle) go_to(root.at);
   go_to(to);
