@@ -27,7 +27,7 @@ def random_grasp(rng, dimension):
     points = rng.normal(size=(3, dimension))
     points /= np.linalg.norm(points, axis=1)[:, None]
     com = rng.uniform(-0.2, 0.2, dimension)
-    return poise.Grasp(poise.Object(5, com), [poise.Contact(p, -p, 0.7) for p in points])
+    return poise.Grasp(poise.Load(5, com), [poise.Contact(p, -p, 0.7) for p in points])
 
 
 def write_grasps(path, count, dimension, seed=0):

@@ -537,7 +537,7 @@ inline const std::vector<BadFile> bad_files{
      "object: {weight: 10, com: [0, 0]}\n"
      "contacts: [1]\n",
      "4:12: contacts[0]: is 1, must be a mapping (keys: position, normal, friction, min_normal, "
-     "max_normal, share, finger, pad)"},
+     "max_normal, share, finger, pad, adhesion)"},
     {"no position",
      "poise: 1\n"
      "dimension: 2\n"
@@ -923,6 +923,14 @@ inline const std::vector<BadFile> bad_files{
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
      "4:24: loads[0].acceleration: is of an object without mass, must be left out"},
+    {"nothing in one of the loads",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "loads: [{acceleration: {any: 1}}, {weight: 0}]\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
+     "4:44: loads[1].weight: is 0, must be above 0 where nothing else acts"},
     {"shape of the plane",
      "poise: 1\n"
      "dimension: 3\n"
@@ -1014,6 +1022,33 @@ inline const std::vector<BadFile> bad_files{
      "contacts:\n"
      "  - {position: [1, 0, 0], friction: 1}\n",
      "3:19: object.density: is 0, must be above 0"},
+    {"adhesion of nothing",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, com: [0, 0, 0]}\n"
+     "contacts:\n"
+     "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1, adhesion: 0}\n",
+     "5:70: contacts[0].adhesion: is 0, must be above 0"},
+    {"cups that are too far out",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: suction, position: [0, 0, 3], cups: [[2, 0, 0]], diameter: 1, adhesion: 1, "
+     "friction: 1}\n",
+     "4:10: gripper: cup 0 meets nothing: it passes the object; the object is 2 x 2 x 2 m large, "
+     "its middle at (0, 0, 0) m"},
+    {"suction without cups",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: suction, cups: [], diameter: 1, adhesion: 1, friction: 1}\n",
+     "4:32: gripper.cups: is empty, must hold at least one cup"},
+    {"suction without adhesion",
+     "poise: 1\n"
+     "dimension: 3\n"
+     "object: {weight: 1, shape: {sphere: {radius: 1}}}\n"
+     "gripper: {type: suction, cups: [[0, 0, 3]], diameter: 1, friction: 1}\n",
+     "4:10: gripper.adhesion: is missing, must be the pull of a cup [N]"},
     {"a robot that is not there",
      "poise: 1\n"
      "dimension: 3\n"
@@ -1059,8 +1094,8 @@ inline const std::vector<BadFile> bad_files{
      "poise: 1\n"
      "dimension: 3\n"
      "object: {weight: 10, shape: {sphere: {radius: 1}}}\n"
-     "gripper: {type: suction}\n",
-     "4:17: gripper.type: is \"suction\", must be parallel_jaw or fingertips"},
+     "gripper: {type: magnet}\n",
+     "4:17: gripper.type: is \"magnet\", must be parallel_jaw, fingertips or suction"},
     {"gripper nowhere",
      "poise: 1\n"
      "dimension: 3\n"

@@ -121,7 +121,7 @@ TEST_F(Batch, RecordsAreTheAnswersOfSingleGrasps) {
     if (k % 7 == 3) {
       ++bad;
       EXPECT_EQ(record["error"]["path"], "object.weight");
-      EXPECT_EQ(record["error"]["problem"], "is -1, must be above 0");
+      EXPECT_EQ(record["error"]["problem"], "is -1, must be at least 0");
       EXPECT_GT(record["error"]["column"], 1);
       continue;
     }
@@ -205,7 +205,7 @@ TEST_F(Batch, StrictStopsAndLeavesNothing) {
   const Outcome run = poise("batch in.jsonl -o out.jsonl --strict");
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find("\"record\":3"), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("is -1, must be above 0"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("is -1, must be at least 0"), std::string::npos) << run.err;
   for (const char* name : {"out.jsonl", "out.jsonl.part", "out.jsonl.run"})
     EXPECT_FALSE(there(name)) << name;
 }

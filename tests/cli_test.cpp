@@ -263,6 +263,46 @@ TEST_F(CommandLine, FindsThePostureOfLeastGripInThePlane) {
   EXPECT_NE(weak.out.find("more than their max of 9"), std::string::npos) << weak.out;
 }
 
+/// What is pushed up with 5 N and turned, and then pulled with (-2, -3) N: two fingers of friction
+/// 0.6 press with 35/6 N and 4.5 N, in any posture.
+TEST_F(CommandLine, WeighsSeveralLoadsInThePlane) {
+  const std::string contacts =
+      "contacts:\n"
+      "  - {position: [-0.03, 0], normal: [1, 0], friction: 0.6, finger: left}\n"
+      "  - {position: [0.03, 0], normal: [-1, 0], friction: 0.6, finger: right}\n";
+  write("pushed.yaml",
+        "poise: 1\ndimension: 2\nangle_deg: 20\nobject: {weight: 0, com: [0, 0]}\n"
+        "loads: [{name: pushed, force: [0, 5], moment: 0.06}, {name: pulled, force: [-2, -3]}]\n" +
+            contacts);
+  const Json hold = json("hold pushed.yaml");
+  EXPECT_NEAR(hold["load_grips"][0], 35.0 / 6, 1e-9);
+  EXPECT_NEAR(hold["load_grips"][1], 4.5, 1e-9);
+  const Json best = json("best pushed.yaml");
+  EXPECT_NEAR(best["best"]["grip"], 35.0 / 6, 1e-9);
+  EXPECT_NEAR(best["best"]["angle_deg"], 20, 1e-9);
+  EXPECT_EQ(best["best"]["load"], 0);
+  EXPECT_NEAR(best["lower_bound"], 35.0 / 6, 1e-9);
+
+  // Beside a weight that needs more where the fingers are level.
+  write("both.yaml",
+        "poise: 1\ndimension: 2\nobject: {weight: 10, com: [0, 0]}\n"
+        "loads: [{name: carried}, {name: pushed, weight: 0, force: [0, 5], moment: 0.06}]\n" +
+            contacts);
+  const Json curve = json("curve both.yaml");
+  EXPECT_EQ(curve["load_curves"].size(), 2U);
+  EXPECT_EQ(curve["load_curves"][1]["arcs"].size(), 1U);
+  const std::string table = poise("curve both.yaml").out;
+  EXPECT_NE(table.find("carried"), std::string::npos) << table;
+  EXPECT_NE(table.find("pushed"), std::string::npos) << table;
+  for (const char* asked : {"curve both.yaml", "best both.yaml", "turn both.yaml --to 120",
+                            "curve both.yaml --objective effort",
+                            "best both.yaml --objective effort --domain pinching-up"}) {
+    write("result.json", poise(std::string(asked) + " --json").out);
+    const Outcome verified = poise("verify both.yaml result.json");
+    EXPECT_EQ(verified.status, 0) << asked << "\n" << verified.out << verified.err;
+  }
+}
+
 TEST_F(CommandLine, SaysSoWhereTheAnswerCannotBeWritten) {
   const std::string best = "'" POISE_PROGRAM "' best " + example("l-part");
   const Outcome full = shell(best + " >/dev/full");

@@ -32,13 +32,13 @@ struct Mistake {
 };
 
 const std::vector<Mistake> mistakes{
-    {"object.weight", [](Held& h) { h.object.weight = 0; }},
-    {"object.weight", [](Held& h) { h.object.weight = -1; }},
-    {"object.weight", [](Held& h) { h.object.weight = not_a_number; }},
-    {"object.weight", [](Held& h) { h.object.weight = infinity; }},
-    {"object.weight", [](Held& h) { h.object.weight = 1e200; }},
-    {"object.com[0]", [](Held& h) { h.object.com.x() = not_a_number; }},
-    {"object.com[1]", [](Held& h) { h.object.com.y() = infinity; }},
+    {"loads[0].weight", [](Held& h) { h.object.weight = 0; }},
+    {"loads[0].weight", [](Held& h) { h.object.weight = -1; }},
+    {"loads[0].weight", [](Held& h) { h.object.weight = not_a_number; }},
+    {"loads[0].weight", [](Held& h) { h.object.weight = infinity; }},
+    {"loads[0].weight", [](Held& h) { h.object.weight = 1e200; }},
+    {"loads[0].com[0]", [](Held& h) { h.object.com.x() = not_a_number; }},
+    {"loads[0].com[1]", [](Held& h) { h.object.com.y() = infinity; }},
     {"contacts", [](Held& h) { h.contacts.clear(); }},
     {"contacts[1].position[0]", [](Held& h) { h.contacts[1].position.x() = -infinity; }},
     {"contacts[1].position[1]", [](Held& h) { h.contacts[1].position.y() = 1e160; }},
@@ -117,6 +117,24 @@ TEST(Grasp, RefusesAMechanismThatHasNoMeaningAndSaysWhere) {
            {"fingers.0.max_force", fingers({{.name = "0", .max_force = not_a_number}})}}) {
     try {
       Grasp<2>(held.object, held.contacts, 1, mechanism);
+      ADD_FAILURE() << path << " was accepted";
+    } catch (const InvalidGrasp& error) {
+      EXPECT_EQ(error.path(), path);
+    }
+  }
+}
+
+TEST(Grasp, SaysWhichLoadHasNoMeaning) {
+  const Held held = two_fingers();
+  for (const auto& [path, load] : std::vector<std::pair<std::string, Load<2>>>{
+           {"loads[1].weight", {.weight = -1}},
+           {"loads[1].com[0]", {.com = {infinity, 0}}},
+           {"loads[1].fixed", {.fixed = {0, 0, not_a_number}}},
+           {"loads[1].lift", {.lift = not_a_number}},
+           {"loads[1].acceleration[1]", {.acceleration = {0, not_a_number}}},
+           {"loads[1].weight", {.lift = -standard_gravity}}}) {
+    try {
+      Grasp<2>(std::vector{held.object, load}, held.contacts);
       ADD_FAILURE() << path << " was accepted";
     } catch (const InvalidGrasp& error) {
       EXPECT_EQ(error.path(), path);

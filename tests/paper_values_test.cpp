@@ -60,7 +60,7 @@ TEST(Paper, EndsOfTheRangeRestOnOneFinger) {
   const Best<2> best = best_posture(grasp_of(paper_table[5].disk), {.domain = Domain::pinching_up});
   EXPECT_EQ(best.best().manner, Manner::resting);
   EXPECT_FALSE(all_loaded(grasp_of(paper_table[5].disk), best.best().hold(),
-                          grasp_of(paper_table[5].disk).weight()));
+                          grasp_of(paper_table[5].disk).size()));
 }
 
 TEST(Paper, ConeEdgesMeetOnTheVerticalThroughTheComAtB) {

@@ -132,4 +132,22 @@ inline rc::Gen<Held> grasps(Recipe recipe = {}) {
   });
 }
 
+/// A load with accelerations and a fixed wrench, or without; at times without weight.
+inline Load<2> random_load() {
+  Load<2> load;
+  load.weight = one_in(4) ? 0 : real(1, 10);
+  load.com = {0.5 * coordinate(), 0.5 * coordinate()};
+  if (one_in(3)) load.lift = 15 * coordinate();
+  if (one_in(3)) load.acceleration = {5 * coordinate(), 5 * coordinate()};
+  if (one_in(3) || load.weight == 0)
+    load.fixed = {3 * coordinate(), real(1, 4), one_in(2) ? coordinate() : 0};
+  return load;
+}
+inline std::vector<Load<2>> random_loads(int most) {
+  std::vector<Load<2>> loads;
+  const int count = pick(1, most);
+  while (static_cast<int>(loads.size()) < count) loads.push_back(random_load());
+  return loads;
+}
+
 }  // namespace poise::test

@@ -263,9 +263,11 @@ TEST(ResultDocument, OfACheckSaysWhatWasUnderstood) {
   const Json document =
       parsed(poise::document(file, grasp, CheckAnswer<2>{force_closure(grasp), {}}));
   EXPECT_EQ(keys(document), with(document_keys, {"name", "dimension", "safety", "angle_deg",
-                                                 "domain", "weight", "com", "shape", "contacts",
+                                                 "domain", "loads", "shape", "contacts",
                                                  "force_closure", "fork_deg", "warnings"}));
-  EXPECT_EQ(document["weight"], standard_gravity);
+  ASSERT_EQ(document["loads"].size(), 1U);
+  EXPECT_EQ(document["loads"][0]["weight"], standard_gravity);
+  EXPECT_EQ(document["loads"][0]["lift"], 0.0);
   EXPECT_TRUE(document["angle_deg"].is_null());
   EXPECT_EQ(document["contacts"][0]["friction"], 2.0);
   EXPECT_EQ(document["contacts"][0]["max_normal"], 20.0);

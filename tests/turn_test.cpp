@@ -38,8 +38,7 @@ std::string fault(const Grasp<2>& grasp, double from, const TurnPeak<2>& found,
   if (found.unholdable.empty() != (found.peak < infinity)) return "unholdable";
   if (found.at * found.angle < 0 || std::abs(found.at) > std::abs(found.angle)) return "at";
   if ((found.posture.up - up_at(from + found.at)).norm() > 1e-7) return "the posture";
-  const double scale =
-      grasp.size() * (settings.objective == Objective::effort ? grasp.size() : 1);
+  const double scale = grasp.size() * (settings.objective == Objective::effort ? grasp.size() : 1);
   const double rounding = 1e-7 * scale;
   if (found.peak < infinity && nearest_end(curve, from + found.at) > 1e-7 &&
       std::abs(found.posture.value() - found.peak) > 1e-6 * found.peak + rounding)
@@ -79,10 +78,15 @@ std::string fault(const Grasp<2>& grasp, double from, const TurnPeak<2>& found,
 
 Objective either() { return one_in(2) ? Objective::effort : Objective::grip; }
 
+/// Of its one weight, or of several loads.
+Grasp<2> with_loads(const Held& held) {
+  return one_in(2) ? held.grasp() : Grasp<2>(random_loads(3), held.contacts);
+}
+
 RC_GTEST_PROP(Turn, PeakIsThatOfDenseSamples, ()) {
   if (!one_in(10)) return;
   const Held held = *grasps({.most_contacts = 5, .awkward = false});
-  const Grasp<2> grasp = held.grasp();
+  const Grasp<2> grasp = with_loads(held);
   const CurveSettings settings{.objective = either()};
   if (settings.objective == Objective::grip && !has_grip<2>(grasp)) return;
   const double from = random_angle(), angle = 2 * pi * coordinate();
@@ -94,7 +98,7 @@ RC_GTEST_PROP(Turn, PeakIsThatOfDenseSamples, ()) {
 RC_GTEST_PROP(Turn, PeakOfAwkwardGraspsToo, ()) {
   if (!one_in(10)) return;
   const Held held = *grasps({.most_contacts = 4});
-  const Grasp<2> grasp = held.grasp();
+  const Grasp<2> grasp = with_loads(held);
   const double from = random_angle();
   RC_ASSERT(fault(grasp, from, turn_peak(grasp, from, 2 * pi * coordinate()), {}) == "");
 }
@@ -102,7 +106,7 @@ RC_GTEST_PROP(Turn, PeakOfAwkwardGraspsToo, ()) {
 RC_GTEST_PROP(Turn, WaysRoundAreBothTheLowerPeakFirst, ()) {
   if (!one_in(10)) return;
   const Held held = *grasps({.most_contacts = 5, .awkward = false});
-  const Grasp<2> grasp = held.grasp();
+  const Grasp<2> grasp = with_loads(held);
   const CurveSettings settings{.domain = one_in(2) ? Domain::all : Domain::pinching_up,
                                .objective = either()};
   if (settings.objective == Objective::grip && !has_grip<2>(grasp)) return;
@@ -239,7 +243,7 @@ TEST(Turn, OfWhatNeedsNothingHasThePeakZero) {
 RC_GTEST_PROP(Turn, BestReachableIsThatOfDenseSamples, ()) {
   if (!one_in(10)) return;
   const Held held = *grasps({.most_contacts = 5, .awkward = false});
-  const Grasp<2> grasp = held.grasp();
+  const Grasp<2> grasp = with_loads(held);
   const CurveSettings settings{.domain = one_in(2) ? Domain::all : Domain::pinching_up,
                                .objective = either()};
   if (settings.objective == Objective::grip && !has_grip<2>(grasp)) return;

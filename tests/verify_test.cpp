@@ -214,7 +214,7 @@ void expect_spoilt_refused(const GraspFile& file, const std::string& text, doubl
       number *= 1 + 1e-5;
       where = path;
     });
-    EXPECT_FALSE(checked(file, copy.dump()).confirmed()) << where;
+    EXPECT_FALSE(is_confirmed(file, copy.dump())) << where;
   }
 }
 
@@ -244,6 +244,95 @@ TEST(Verify, RefusesEveryNumberThatIsOff) {
     const CurveSettings pinched = settings_for(file, Domain::pinching_up);
     expect_spoilt_refused(file, best_text(file, pinched), file.loads[0].weight);
   }
+}
+
+/// Carried, accelerated and pushed: each of the loads decides somewhere.
+PlanarFile pushed() {
+  PlanarFile file;
+  file.loads = {{.weight = 10},
+                {.weight = 6, .com = {0.01, 0}, .acceleration = {6, 0}},
+                {.weight = 0, .fixed = {6, 1, 0}}};
+  file.contacts = {{{-0.03, 0}, {1, 0}, 0.8}, {{0.03, 0}, {-1, 0}, 0.8}};
+  return file;
+}
+
+/// Of fingers below that can hold none of the loads everywhere.
+PlanarFile carried() {
+  PlanarFile file = pushed();
+  file.loads.pop_back();
+  file.contacts = {{{-0.03, -0.02}, {0.5, 1}, 0.3}, {{0.03, -0.02}, {-0.3, 1}, 0.4}};
+  return file;
+}
+
+RC_GTEST_PROP(Verify, ConfirmsSeveralLoadsInThePlane, ()) {
+  PlanarFile file = random_driven_file();
+  file.loads = *rc::gen::exec([] { return test::random_loads(4); });
+  const Grasp<2> grasp = file.grasp();
+  const bool is_grip = *rc::gen::element(true, false) || grasp.is_general();
+  if (is_grip && !has_grip<2>(grasp)) return;
+  const auto settings =
+      settings_for(file, any_domain(), is_grip ? Objective::grip : Objective::effort);
+  expect_confirmed(file, curve_answer(file, settings));
+  expect_confirmed(file, best_answer(file, settings));
+}
+
+TEST(Verify, RefusesEveryNumberThatIsOffInCurvesOfSeveralLoads) {
+  for (const PlanarFile& file : {pushed(), carried()})
+    for (const Objective objective : {Objective::effort, Objective::grip}) {
+      SCOPED_TRACE(to_string(objective));
+      const CurveSettings settings{.objective = objective};
+      expect_spoilt_refused(file, curve_text(file, settings), 10);
+      expect_spoilt_refused(file, best_text(file, settings), 10);
+    }
+}
+
+/// The true curve of one load, told as that of all.
+TEST(Verify, RefusesACurveThatForgetsALoad) {
+  for (const Objective objective : {Objective::effort, Objective::grip}) {
+    const PlanarFile file = pushed();
+    const CurveSettings settings{.objective = objective};
+    const Json curve = Json::parse(curve_text(file, settings));
+    EXPECT_EQ(words(file, curve.dump()), "");
+    for (std::size_t k = 0; k < file.loads.size(); ++k) {
+      bool decides = false;
+      for (const Json& arc : curve["arcs"]) decides = decides || arc["load"] == k;
+      EXPECT_TRUE(decides);
+      Json copy = curve;
+      copy["arcs"] = copy["load_curves"][k]["arcs"];
+      copy["holdable_arcs_deg"] = copy["load_curves"][k]["holdable_arcs_deg"];
+      for (Json& arc : copy["arcs"]) arc["load"] = k;
+      EXPECT_NE(words(file, copy.dump()).find("no load needs more along the arc"),
+                std::string::npos);
+    }
+  }
+}
+
+TEST(Verify, RefusesCurvesOfLoadsThatAreMissingOrNotTheirs) {
+  for (const PlanarFile& file : {pushed(), carried()}) {
+    const Json best = Json::parse(best_text(file));
+    EXPECT_EQ(words(file, best.dump()), "");
+    Json copy = best;
+    copy.erase("load_curves");
+    EXPECT_FALSE(is_confirmed(file, copy.dump()));
+    copy = best;
+    std::swap(copy["load_curves"][0], copy["load_curves"][1]);
+    EXPECT_FALSE(is_confirmed(file, copy.dump()));
+    for (std::size_t k = 0; k < file.loads.size(); ++k)
+      for (std::size_t i = 0; i < best["load_curves"][k]["arcs"].size(); ++i) {
+        copy = best;
+        copy["load_curves"][k]["arcs"].erase(i);
+        EXPECT_FALSE(is_confirmed(file, copy.dump()));
+      }
+    for (const char* list : {"arcs", "unholdable_arcs"})
+      for (std::size_t i = 0; i < best[list].size(); ++i) {
+        copy = best;
+        copy[list][i]["load"] = (copy[list][i]["load"].get<std::size_t>() + 1) % file.loads.size();
+        EXPECT_FALSE(is_confirmed(file, copy.dump())) << list << i;
+        copy[list][i].erase("load");
+        EXPECT_FALSE(is_confirmed(file, copy.dump())) << list << i;
+      }
+  }
+  EXPECT_FALSE(Json::parse(best_text(carried()))["unholdable_arcs"].empty());
 }
 
 /// What an arc of grip claims, changed as a whole: its forces, its proof, or where it ends.

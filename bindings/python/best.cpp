@@ -1,9 +1,9 @@
 #include "curve_settings.hpp"
+#include "each_load.hpp"
 #include "files/degrees.hpp"
 #include "module.hpp"
 #include "parallel.hpp"
 #include "poise/best_posture.hpp"
-#include "scenarios.hpp"
 #include "values.hpp"
 
 namespace poise::python {
@@ -37,12 +37,9 @@ AnyBest best_in_space(const Grasp<3>& grasp, const Settings& settings) {
   return {best_posture(grasp, settings.space)};
 }
 
-AnyBest best_of(const GraspOrScenarios& held, const Settings& settings) {
-  if (const auto* const scenarios = std::get_if<std::vector<GraspPointer>>(&held))
-    return best_in_space(together(*scenarios), settings);
-  const AnyGrasp& one = *std::get<GraspPointer>(held);
-  const auto* const planar = std::get_if<Grasp<2>>(&one.of);
-  if (!planar) return best_in_space(only<3>(one), settings);
+AnyBest best_of(const AnyGrasp& grasp, const Settings& settings) {
+  const auto* const planar = std::get_if<Grasp<2>>(&grasp.of);
+  if (!planar) return best_in_space(only<3>(grasp), settings);
   if (settings.space.tilt) throw InvalidGrasp("tilt", "is for space, the grasp is in the plane");
   return {best_posture(*planar, settings.curve)};
 }
@@ -52,23 +49,23 @@ py::object write(const AnyBest& best) {
   return std::visit([](const auto& own) { return py::cast(own); }, best.of);
 }
 
-py::object best_asked(const GraspOrScenarios& held, Domain domain, double force_cap, double gap,
+py::object best_asked(const AnyGrasp& grasp, Domain domain, double force_cap, double gap,
                       int max_holds, const py::object& tilt, int starts, Objective objective) {
   const Settings all = settings(domain, force_cap, gap, max_holds, tilt, starts, objective);
   return write([&] {
     const py::gil_scoped_release unlocked;
-    return best_of(held, all);
+    return best_of(grasp, all);
   }());
 }
 
-py::list best_many(const std::vector<GraspOrScenarios>& many, Domain domain, double force_cap,
+py::list best_many(const std::vector<GraspPointer>& many, Domain domain, double force_cap,
                    double gap, int max_holds, const py::object& tilt, int starts,
                    Objective objective) {
   const Settings all = settings(domain, force_cap, gap, max_holds, tilt, starts, objective);
   std::vector<AnyBest> best(many.size());
   {
     const py::gil_scoped_release unlocked;
-    parallel(many.size(), 1, [&](std::size_t k) { best[k] = best_of(many[k], all); });
+    parallel(many.size(), 1, [&](std::size_t k) { best[k] = best_of(*many[k], all); });
   }
   py::list list;
   for (const AnyBest& each : best) list.append(write(each));
@@ -76,9 +73,10 @@ py::list best_many(const std::vector<GraspOrScenarios>& many, Domain domain, dou
 }
 
 void add_planar(py::module_& module) {
-  Class<Minimum<2>>(module, "PlanarPosture",
-                    "A posture worth knowing: an optimum of the curve with its hold.", "Minimum")
-      .attribute("optimum", &Minimum<2>::optimum)
+  Class<Minimum<2>> posture(module, "PlanarPosture",
+                            "A posture worth knowing: an optimum of the curve with its hold.",
+                            "Minimum");
+  posture.attribute("optimum", &Minimum<2>::optimum)
       .attribute("hold", [](const Minimum<2>& posture) { return AnyHold{posture.hold()}; })
       .attribute("manner", &Minimum<2>::manner)
       .attribute("edges_meet", &Minimum<2>::edges_meet)
@@ -88,6 +86,7 @@ void add_planar(py::module_& module) {
             .format(degrees(posture.optimum.angle), posture.optimum.value,
                     to_string(posture.manner), to_string(posture.optimum.kind));
       });
+  add_loads(posture);
 
   Class<Best<2>>(module, "BestPosture",
                  "The best posture of a planar grasp, the other minima, and their proof.", "Best")
@@ -116,38 +115,28 @@ void add_planar(py::module_& module) {
 }
 
 void add_spatial(py::module_& module) {
-  Class<Minimum<3>>(module, "SpatialPosture", "A posture in space, with its hold.", "Posture")
-      .attribute("up", &Minimum<3>::up)
+  Class<Minimum<3>> posture(module, "SpatialPosture", "A posture in space, with its hold.",
+                            "Posture");
+  posture.attribute("up", &Minimum<3>::up)
       .attribute("hold", [](const Minimum<3>& posture) { return AnyHold{posture.hold()}; })
       .attribute("manner", &Minimum<3>::manner)
-      .attribute("scenario", &Minimum<3>::decides,
-                 "The one that needs the greatest effort: an index.")
-      .attribute(
-          "scenario_efforts",
-          [](const Minimum<3>& posture) {
-            std::vector<double> efforts;
-            for (const Hold<3>& hold : posture.holds)
-              efforts.push_back(hold.holdable ? hold.effort
-                                              : std::numeric_limits<double>::infinity());
-            return efforts;
-          },
-          "[N^2]")
       .attribute("effort", &Minimum<3>::effort)
       .def("__repr__", [](const Minimum<3>& posture) {
         return py::str("SpatialPosture(up={}, effort={:.6g} N^2, {})")
             .format(shown(posture.up), posture.effort(), to_string(posture.manner));
       });
+  add_loads(posture);
 
   Class<Cut>(module, "Cut")
       .attribute("y", &Cut::y,
-                 "A twist about the object frame's origin (6,) [N, N/m]: for every x in R^3, "
-                 "weight x through\nthe com of the scenario needs an effort of at least\n"
+                 "A twist about the object frame's origin (6,) [N, N/m]: for every x in R^3, the "
+                 "load with x\nfor the unit vector up needs an effort of at least\n"
                  "2 (y . w(x) - phi(G^T y)).")
-      .attribute("scenario", &Cut::load)
+      .attribute("load", &Cut::load, "Index of the load.")
       .attribute("n", &Cut::n)
       .def("__repr__", [](const Cut& cut) {
         return cut.n ? py::str("Cut(n={})").format(shown(*cut.n))
-                     : py::str("Cut(y={}, scenario {})").format(shown(cut.y), cut.load);
+                     : py::str("Cut(y={}, load {})").format(shown(cut.y), cut.load);
       });
 
   Class<Best<3>>(
@@ -188,10 +177,10 @@ void add_best(py::module_& module) {
       "The best posture of a grasp. In the plane exactly, within the domain: BestPosture.\n\n"
       "In space with a certificate, a BestSpatialPosture: until (effort - lower_bound) / effort "
       "is\n"
-      "at most gap, or max_holds are spent; with a Tilt only postures near one direction. Instead "
-      "of\na grasp a list of scenarios may be given: grasps with the same contacts and their own "
-      "weights\nand centres of mass; then the worst of them decides. Local minima are sought from "
-      "so many\nstarts; 0: none are sought. Raises InvalidGrasp for settings out of their ranges.");
+      "at most gap, or max_holds are spent; with a Tilt only postures near one direction. Local "
+      "minima\nare sought from so many starts; 0: none are sought.\n\n"
+      "Of several loads that decides which needs most. Raises InvalidGrasp for settings out of "
+      "their\nranges.");
   module.def("best_many", &best_many, py::arg("grasps"), py::kw_only(),
              py::arg("domain") = Domain::all, py::arg("force_cap") = 1e6,
              py::arg("gap") = spatial.gap, py::arg("max_holds") = spatial.max_holds,
@@ -199,7 +188,7 @@ void add_best(py::module_& module) {
              py::arg("objective") = Objective::effort,
              "The best postures of many grasps, in their order, on all cores; see best_posture.");
   module.def(
-      "posture_at",
+      "minimum_at",
       [](const AnyGrasp& grasp, const Optimum& optimum, Domain domain, double force_cap,
          Objective objective) {
         return minimum_at(only<2>(grasp), optimum, curve_settings(domain, force_cap, objective));

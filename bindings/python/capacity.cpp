@@ -13,16 +13,16 @@ using AnyRange = Either<WeightRange>;
 using AnyFriction = Either<LeastFriction>;
 using AnyCapacity = Either<Capacity>;
 
-/// What `f(grasp, load, up, settings)` makes of a grasp of either dimension, against its load, in
-/// the posture `up`.
+using Index = std::optional<std::size_t>;
+
+/// What `f(grasp, load, up, settings)` makes of a grasp of either dimension, against one of its
+/// loads, in the posture `up`.
 template <class R, class F>
-R in_posture(const AnyGrasp& any, const Eigen::VectorXd& up, double force_cap, F f) {
+R in_posture(const AnyGrasp& any, const Eigen::VectorXd& up, Index load, double force_cap, F f) {
   const HoldSettings settings{.force_cap = checked_cap(force_cap)};
   return std::visit(
       [&]<int Dim>(const Grasp<Dim>& grasp) {
-        if (grasp.loads().size() != 1)
-          throw InvalidGrasp("grasp", "has several loads, ask of each");
-        return R{f(grasp, grasp.loads().front(), unit<Dim>(up), settings)};
+        return R{f(grasp, load_of(grasp, load), unit<Dim>(up), settings)};
       },
       any.of);
 }
@@ -55,11 +55,11 @@ Rates checked_rates(const Grasp<Dim>& grasp, const std::optional<Eigen::VectorXd
 
 std::vector<Deciding> deciding_contacts(const AnyGrasp& any, const Eigen::VectorXd& up,
                                         const Eigen::VectorXd& dual,
-                                        const std::optional<Eigen::VectorXd>& rates,
+                                        const std::optional<Eigen::VectorXd>& rates, Index index,
                                         double force_cap) {
   if (!dual.allFinite()) throw InvalidGrasp("dual", "must be finite");
   return in_posture<std::vector<Deciding>>(
-      any, up, force_cap,
+      any, up, index, force_cap,
       [&]<int Dim>(const Grasp<Dim>& grasp, const Load<Dim>& load, const Vector<Dim>& unit_up,
                    const HoldSettings& settings) {
         return deciding<Dim>(grasp, load, unit_up, sized<wrench_size<Dim>>(dual, "dual"),
@@ -69,11 +69,11 @@ std::vector<Deciding> deciding_contacts(const AnyGrasp& any, const Eigen::Vector
 
 std::vector<double> drives_that_decide(const AnyGrasp& any, const Eigen::VectorXd& up,
                                        const Eigen::VectorXd& dual,
-                                       const std::optional<Eigen::VectorXd>& rates,
+                                       const std::optional<Eigen::VectorXd>& rates, Index index,
                                        double force_cap) {
   if (!dual.allFinite()) throw InvalidGrasp("dual", "must be finite");
   return in_posture<std::vector<double>>(
-      any, up, force_cap,
+      any, up, index, force_cap,
       [&]<int Dim>(const Grasp<Dim>& grasp, const Load<Dim>& load, const Vector<Dim>& unit_up,
                    const HoldSettings& settings) {
         return deciding_drives<Dim>(grasp, load, unit_up, sized<wrench_size<Dim>>(dual, "dual"),
@@ -213,47 +213,55 @@ void add_capacity(py::module_& module) {
 
   module.def(
       "weight_range",
-      [](const AnyGrasp& grasp, const Eigen::VectorXd& up, double force_cap) {
-        return in_posture<AnyRange>(grasp, up, force_cap,
+      [](const AnyGrasp& grasp, const Eigen::VectorXd& up, Index load, double force_cap) {
+        return in_posture<AnyRange>(grasp, up, load, force_cap,
                                     [](const auto&... all) { return weight_range(all...); });
       },
-      py::arg("grasp"), py::arg("up"), py::kw_only(), py::arg("force_cap") = 1e6, unlocked,
+      py::arg("grasp"), py::arg("up"), py::kw_only(), py::arg("load") = py::none(),
+      py::arg("force_cap") = 1e6, unlocked,
       "The weights that can be held in the posture up (2,) or (3,), whatever the grasp's own. "
-      "Weight\nand bound of each end differ by a part of 1e-7, or by what rounding leaves open.");
+      "Weight\nand bound of each end differ by a part of 1e-7, or by what rounding leaves "
+      "open.\n\nload: of which, an index, where the grasp has several");
   module.def("deciding", &deciding_contacts, py::arg("grasp"), py::arg("up"), py::arg("dual"),
-             py::arg("rates") = py::none(), py::kw_only(), py::arg("force_cap") = 1e6, unlocked,
+             py::arg("rates") = py::none(), py::kw_only(), py::arg("load") = py::none(),
+             py::arg("force_cap") = 1e6, unlocked,
              "A Deciding for each contact, read off the proof of an end: its dual (3,) or (6,) and "
-             "rates,\nin the posture up (2,) or (3,).");
+             "rates,\nin the posture up (2,) or (3,). load: of which, an index, where there are "
+             "several.");
   module.def("deciding_drives", &drives_that_decide, py::arg("grasp"), py::arg("up"),
              py::arg("dual"), py::arg("rates") = py::none(), py::kw_only(),
-             py::arg("force_cap") = 1e6, unlocked,
+             py::arg("load") = py::none(), py::arg("force_cap") = 1e6, unlocked,
              "Of each drive how many newtons more can be held at most for each newton, or newton "
-             "metre,\nmore of its max, read off the proof of an end: its dual and rates.");
+             "metre,\nmore of its max, read off the proof of an end: its dual and rates. load: as "
+             "of deciding.");
   module.def(
       "least_friction",
-      [](const AnyGrasp& grasp, const Eigen::VectorXd& up, double force_cap) {
-        return in_posture<AnyFriction>(grasp, up, force_cap,
+      [](const AnyGrasp& grasp, const Eigen::VectorXd& up, Index load, double force_cap) {
+        return in_posture<AnyFriction>(grasp, up, load, force_cap,
                                        [](const auto&... all) { return least_friction(all...); });
       },
-      py::arg("grasp"), py::arg("up"), py::kw_only(), py::arg("force_cap") = 1e6, unlocked,
+      py::arg("grasp"), py::arg("up"), py::kw_only(), py::arg("load") = py::none(),
+      py::arg("force_cap") = 1e6, unlocked,
       "The least friction for the grasp's weight in the posture up (2,) or (3,). Factor and bound\n"
-      "differ by a part of 1e-7, or by what rounding leaves open.");
+      "differ by a part of 1e-7, or by what rounding leaves open.\n\n"
+      "load: of which, an index, where the grasp has several");
   module.def(
       "capacity",
-      [](const AnyGrasp& any, const Eigen::VectorXd& up, double safety, double force_cap) {
-        return in_posture<AnyCapacity>(any, up, force_cap,
+      [](const AnyGrasp& any, const Eigen::VectorXd& up, double safety, Index index,
+         double force_cap) {
+        return in_posture<AnyCapacity>(any, up, index, force_cap,
                                        [safety](const auto& grasp, const auto& load,
                                                 const auto& unit_up, const HoldSettings& settings) {
                                          return capacity(grasp, load, unit_up, safety, settings);
                                        });
       },
-      py::arg("grasp"), py::arg("up"), py::arg("safety"), py::kw_only(), py::arg("force_cap") = 1e6,
-      unlocked,
-      "What the gripper can hold in the posture up (2,) or (3,). safety: at least 1, on top of "
-      "the\n"
-      "one that the grasp was made with.");
+      py::arg("grasp"), py::arg("up"), py::arg("safety"), py::kw_only(),
+      py::arg("load") = py::none(), py::arg("force_cap") = 1e6, unlocked,
+      "What the gripper can hold in the posture up (2,) or (3,).\n\n"
+      "safety: at least 1, on top of the one that the grasp was made with\n"
+      "load: of which, an index, where the grasp has several");
   module.def("with_weight", &with_weight, py::arg("grasp"), py::arg("weight"),
-             "The same contacts on an object of another weight [N].");
+             "The same contacts on an object of another weight [N], that of each of its loads.");
   module.def("with_friction", &with_friction, py::arg("grasp"), py::arg("factor"),
              "The same grasp with all frictions and torsions multiplied by a factor >= 0.");
   module.def("without_limits", &without_limits, py::arg("grasp"),

@@ -78,6 +78,7 @@ void add_types(py::module_& module) {
       .attribute("first_state", &Arc::first_state)
       .attribute("rates", &Arc::rates)
       .attribute("forces", &Arc::forces)
+      .attribute("load", &Arc::load)
       .def("__repr__", [](const Arc& arc) {
         return py::str("Arc({:.6g} to {:.6g}, value={})").format(arc.from, arc.to, arc.value);
       });
@@ -87,6 +88,7 @@ void add_types(py::module_& module) {
       .attribute("to", &UnholdableArc::to)
       .attribute("y", &UnholdableArc::y, "(3,) [N, N, N/m]")
       .attribute("rates", &UnholdableArc::rates)
+      .attribute("load", &UnholdableArc::load)
       .def("__repr__", [](const UnholdableArc& arc) {
         return py::str("UnholdableArc({:.6g} to {:.6g})").format(arc.from, arc.to);
       });
@@ -113,6 +115,7 @@ void add_types(py::module_& module) {
       .attribute("holdable", &PostureCurve::holdable)
       .attribute("undecided", &PostureCurve::undecided)
       .attribute("optima", &PostureCurve::optima)
+      .attribute("loads", &PostureCurve::loads)
       .def("__repr__", [](const PostureCurve& curve) {
         return py::str("PostureCurve({} arcs, holdable={}, optima={})")
             .format(curve.arcs.size(), curve.holdable, curve.optima);

@@ -19,13 +19,13 @@ py::object write(const Ellipsoid& ellipsoid) { return type("Ellipsoid")(ellipsoi
 py::object write(const MeshShape& mesh) { return type("MeshShape")(mesh.file, mesh.scale); }
 
 template <int Dim>
-py::object write(const CommonFile<Dim>& file, const py::object& object) {
+py::object write_common(const CommonFile<Dim>& file) {
   using namespace py::literals;  // NOLINT(google-build-using-namespace): _a
   py::object result =
       py::module_::import("poise._files")
-          .attr("GraspFile")(object, python::write(file.contacts), "name"_a = file.name,
-                             "safety"_a = file.safety, "warnings"_a = file.warnings,
-                             "objective"_a = file.objective);
+          .attr("GraspFile")(python::write(file.loads), python::write(file.contacts),
+                             "name"_a = file.name, "safety"_a = file.safety,
+                             "warnings"_a = file.warnings, "objective"_a = file.objective);
   const py::dict keys =
       py::module_::import("json").attr("loads")(mechanism_document(file.mechanism));
   result.attr("drives") = keys.attr("get")("drives");
@@ -36,14 +36,14 @@ py::object write(const CommonFile<Dim>& file, const py::object& object) {
 }
 
 py::object write(const PlanarFile& file) {
-  py::object result = write<2>(file, python::write(file.loads));
+  py::object result = write_common<2>(file);
   result.attr("angle") = file.angle;
   result.attr("domain") = file.domain;
   return result;
 }
 
 py::object write(const SpatialFile& file) {
-  py::object result = write<3>(file, python::write(file.loads));
+  py::object result = write_common<3>(file);
   result.attr("up") = file.up;
   if (file.tilt) result.attr("tilt") = type("Tilt")(file.tilt->from, file.tilt->most);
   return result;

@@ -34,17 +34,16 @@ py::tuple write_mechanism(const auto& mechanism) {
   return py::make_tuple(keys.attr("get")("drives"), keys.attr("get")("fingers"));
 }
 
-std::shared_ptr<AnyGrasp> make_grasp(const py::object& object, const py::iterable& contacts,
-                                     double safety, const py::object& drives,
-                                     const py::object& fingers) {
+GraspPointer make_grasp(const py::object& loads, const py::iterable& contacts, double safety,
+                        const py::object& drives, const py::object& fingers) {
   const py::list list(contacts);
   if (list.empty()) throw InvalidGrasp("contacts", "is empty, must hold at least one contact");
   const bool space = list[0].attr("position").cast<Eigen::VectorXd>().size() == 3;
   const auto make = [&]<int Dim>(std::integral_constant<int, Dim>) {
     std::vector<Contact<Dim>> all = read_contacts<Dim>(list);
     Mechanism<Dim> mechanism = read_mechanism<Dim>(drives, fingers, all);
-    return std::make_shared<AnyGrasp>(AnyGrasp{
-        Grasp<Dim>(read_loads<Dim>(object), std::move(all), safety, std::move(mechanism))});
+    return std::make_shared<AnyGrasp>(
+        AnyGrasp{Grasp<Dim>(read_loads<Dim>(loads), std::move(all), safety, std::move(mechanism))});
   };
   return space ? make(std::integral_constant<int, 3>()) : make(std::integral_constant<int, 2>());
 }
@@ -58,31 +57,37 @@ std::size_t finger_of(const AnyGrasp& any, std::size_t contact) {
       any.of);
 }
 
-Eigen::VectorXd load(const AnyGrasp& any, const Eigen::VectorXd& up) {
+Eigen::VectorXd load(const AnyGrasp& any, const Eigen::VectorXd& up,
+                     std::optional<std::size_t> index) {
   return std::visit(
       [&]<int Dim>(const Grasp<Dim>& grasp) -> Eigen::VectorXd {
-        if (grasp.loads().size() != 1) throw InvalidGrasp("grasp", "has several loads");
-        return grasp.loads().front().at(unit<Dim>(up));
+        return load_of(grasp, index).at(unit<Dim>(up));
       },
       any.of);
+}
+
+/// "load of 10 N", or "2 loads up to 10 N".
+std::string shown_loads(std::size_t count, double size) {
+  if (count == 1) return py::str("load of {:g} N").format(size);
+  return py::str("{} loads up to {:g} N").format(count, size);
 }
 
 }  // namespace
 
 void add_grasp(py::module_& module) {
-  py::class_<AnyGrasp, std::shared_ptr<AnyGrasp>>(
+  py::class_<AnyGrasp, GraspPointer>(
       module, "Grasp",
-      "An object and its contacts, checked and prepared. Immutable. In the plane or in space, as\n"
-      "the positions of the contacts have two or three numbers. In space the object may be a "
-      "list:\n"
-      "what it may be, each of which must be held.\n\n"
+      "Contacts and what they must hold, checked and prepared. Immutable. In the plane or in "
+      "space,\n"
+      "as the positions of the contacts have two or three numbers.\n\n"
+      "loads: a Load, or a list of them, of which each must be held, with forces of its own\n"
       "safety: every friction and torsion is divided by it, >= 1\n"
       "drives, fingers: as in a grasp file, in SI units: \"each\", \"coupled\" or a list of "
       "drives;\n"
       "{label: {\"closing\": direction, \"max_force\": N}}\n"
       "Raises InvalidGrasp where a number is not finite or out of its range, a normal has no\n"
-      "length, or there are no contacts.")
-      .def(py::init(&make_grasp), py::arg("object"), py::arg("contacts"), py::arg("safety") = 1.0,
+      "length, or there are no contacts or no loads.")
+      .def(py::init(&make_grasp), py::arg("loads"), py::arg("contacts"), py::arg("safety") = 1.0,
            py::arg("drives") = py::none(), py::arg("fingers") = py::none())
       .def_property_readonly("mechanism", each<AnyGrasp>([](const auto& grasp) {
                                return write_mechanism(grasp.mechanism());
@@ -91,9 +96,9 @@ void add_grasp(py::module_& module) {
       .def_property_readonly("dimension",
                              each<AnyGrasp>([]<int Dim>(const Grasp<Dim>&) { return Dim; }),
                              "2: the plane, 3: space")
-      .def_property_readonly("object",
+      .def_property_readonly("loads",
                              each<AnyGrasp>([](const auto& grasp) { return write(grasp.loads()); }),
-                             "Object; a list of them where the grasp has several loads")
+                             "A list, also of one Load.")
       .def_property_readonly(
           "contacts", each<AnyGrasp>([](const auto& grasp) { return write(grasp.contacts()); }),
           "The contacts with unit normals, friction and torsion already divided by the safety\n"
@@ -104,10 +109,12 @@ void add_grasp(py::module_& module) {
       .def("finger_of", &finger_of, py::arg("contact"), "Index into fingers of a contact.")
       .def_property_readonly("radius",
                              each<AnyGrasp>([](const auto& grasp) { return grasp.radius(); }),
-                             "L [m], the distance of the farthest contact from the centre of mass.")
-      .def("load", &load, py::arg("up"),
-           "The wrench that the contacts must supply in the posture up (2,) or (3,): weight * up\n"
-           "through the centre of mass, about the origin. (3,) or (6,): force [N], moment [N m]")
+                             "L [m], the distance of the farthest contact from the centre of mass "
+                             "of the\nfirst load.")
+      .def("load", &load, py::arg("up"), py::arg("load") = py::none(),
+           "The wrench that the contacts must supply in the posture up (2,) or (3,), about the "
+           "object\nframe's origin: (3,) or (6,), force [N], moment [N m].\n\n"
+           "load: an index into loads, which may be left out where there is one")
       .def(py::pickle(each<AnyGrasp>([](const auto& grasp) {
                         const py::tuple mechanism = write_mechanism(grasp.mechanism());
                         return py::make_tuple(write(grasp.loads()), write(given_contacts(grasp)),
@@ -117,8 +124,9 @@ void add_grasp(py::module_& module) {
                         return make_grasp(state[0], state[1], 1, state[2], state[3]);
                       }))
       .def("__repr__", each<AnyGrasp>([](const auto& grasp) {
-             return py::str("Grasp(weight={:g} N, {} contacts, fingers={})")
-                 .format(grasp.size(), grasp.contacts().size(), grasp.fingers());
+             return py::str("Grasp({}, {} contacts, fingers={})")
+                 .format(shown_loads(grasp.loads().size(), grasp.size()), grasp.contacts().size(),
+                         grasp.fingers());
            }));
 
   module.def(
@@ -129,6 +137,15 @@ void add_grasp(py::module_& module) {
       "In the plane (3, 2 n) for n contacts: normal, tangential, contact by contact. In space\n"
       "(6, 4 n): forces along the normal and along tangents(normal) [N], and the moment about the\n"
       "normal [N m].");
+  module.def(
+      "wrench_of",
+      [](const Eigen::VectorXd& force, const Eigen::VectorXd& at) -> Eigen::VectorXd {
+        if (force.size() == 2) return wrench_of<2>(force, sized<2>(at, "at"));
+        return wrench_of<3>(sized<3>(force, "force"), sized<3>(at, "at"));
+      },
+      py::arg("force"), py::arg("at"),
+      "The wrench (3,) or (6,) of a force (2,) or (3,) at a point, about the object frame's "
+      "origin\n[N, N m].");
   module.def("force_closure",
              each<AnyGrasp>([](const auto& grasp) { return force_closure(grasp); }),
              py::arg("grasp"),

@@ -132,9 +132,10 @@ std::vector<AnyFinger> fingers(const AnyGrasp& any, const AnyHold& hold) {
   });
 }
 
-Manner manner_of(const AnyGrasp& any, const Eigen::VectorXd& up, const AnyHold& hold) {
+Manner manner_of(const AnyGrasp& any, const Eigen::VectorXd& up, const AnyHold& hold,
+                 std::optional<std::size_t> load) {
   return each(any, hold, [&]<int Dim>(const Grasp<Dim>& grasp, const Hold<Dim>& own) {
-    return manner(grasp, grasp.loads().front(), unit<Dim>(up), own);
+    return manner(grasp, load_of(grasp, load), unit<Dim>(up), own);
   });
 }
 
@@ -249,13 +250,13 @@ void add_hold(py::module_& module) {
   module.def("hold", &hold_posture, py::arg("grasp"), py::arg("up"), py::kw_only(),
              py::arg("force_cap") = 1e6, py::arg("objective") = Objective::effort, unlocked,
              "The hold of least effort, or of least grip within what the drives give, in the "
-             "posture up (2,) or (3,), the direction against "
-             "gravity in\nthe object frame, of any length. A load that needs a force norm above "
-             "force_cap [weights]\nis unholdable.");
+             "posture up\n(2,) or (3,), the direction against gravity in the object frame, of any "
+             "length: against the\nload that needs most; posture_at has those of all. A load that "
+             "needs a force norm above\nforce_cap [weights] is unholdable.");
   module.def("hold", &hold_load, py::arg("grasp"), py::arg("load"), py::arg("y"), py::kw_only(),
              py::arg("force_cap") = 1e6, py::arg("objective") = Objective::effort, unlocked,
-             "The same for any load (3,) or (6,): force [N], moment [N m], about the object "
-             "frame's\norigin, started at a twist y of that shape that was optimal for a load "
+             "The same for any wrench (3,) or (6,): force [N], moment [N m], about the object "
+             "frame's\norigin, started at a twist y of that shape that was optimal for one "
              "nearby.");
   module.def(
       "phi",
@@ -329,8 +330,10 @@ void add_hold(py::module_& module) {
       },
       py::arg("grasp"), py::arg("hold"),
       "Whether every finger's normal force is above 1e-9 of the weight.");
-  module.def("manner", &manner_of, py::arg("grasp"), py::arg("up"), py::arg("hold"),
-             "How the object is held in the posture up (2,) or (3,) by these forces.");
+  module.def("manner", &manner_of, py::arg("grasp"), py::arg("up"), py::arg("hold"), py::kw_only(),
+             py::arg("load") = py::none(),
+             "How the object is held in the posture up (2,) or (3,) by these forces. load: against "
+             "which,\nan index, where there are several.");
   module.def(
       "reason",
       [](const AnyGrasp& any, const AnyHold& hold) {

@@ -4,6 +4,7 @@
 
 #include "ask/turn.hpp"
 #include "curve_settings.hpp"
+#include "each_load.hpp"
 #include "files/degrees.hpp"
 #include "module.hpp"
 #include "turned.hpp"
@@ -126,10 +127,9 @@ py::object unlocked(const Work& work) {
   }());
 }
 
-py::object turn(const GraspOrScenarios& held, const Given& to, const std::optional<Given>& from,
+py::object turn(const GraspPointer& grasp, const Given& to, const std::optional<Given>& from,
                 Domain domain, double force_cap, double gap, int max_holds, const py::object& tilt,
                 Objective objective) {
-  const GraspPointer grasp = as_one(held);
   const Settings all = settings(domain, force_cap, gap, max_holds, tilt, objective);
   if (std::holds_alternative<Grasp<2>>(grasp->of)) {
     const double start = from ? read_angle(*from, "from_") : 0, end = read_angle(to, "to");
@@ -165,11 +165,11 @@ py::object reachable(const GraspPointer& grasp, const Given& from,
   return unlocked([&] { return reachable_in_space(only<3>(*grasp), start, end, all); });
 }
 
-py::object reachable_asked(const GraspOrScenarios& held, const Given& from,
+py::object reachable_asked(const GraspPointer& grasp, const Given& from,
                            const std::optional<Given>& towards, Domain domain, double force_cap,
                            double gap, int max_holds, const py::object& tilt, Objective objective) {
   try {
-    return reachable(as_one(held), from, towards,
+    return reachable(grasp, from, towards,
                      settings(domain, force_cap, gap, max_holds, tilt, objective));
   } catch (const InvalidGrasp& error) {
     if (error.path() == "from") throw InvalidGrasp("from_", error.problem());
@@ -205,14 +205,11 @@ std::string shown_status(Status status, double peak) {
 }
 
 void add_parts(py::module_& module) {
-  Class<AnyPosture>(module, "Posture", "A posture, with the hold of the load that decides.")
-      .either("up", [](const auto& posture) -> Eigen::VectorXd { return posture.up; })
+  Class<AnyPosture> any_posture(module, "Posture", "A posture, with the holds of all loads.");
+  any_posture.either("up", [](const auto& posture) -> Eigen::VectorXd { return posture.up; })
       .either("hold", [](const auto& posture) { return AnyHold{posture.hold()}; })
       .either("holdable", [](const auto& posture) { return posture.holdable(); })
       .either("manner", [](const auto& posture) { return posture.manner; })
-      .either(
-          "scenario", [](const auto& posture) { return posture.decides; },
-          "The one that decides: the first that cannot be held, else that which needs most.")
       .either("value", [](const auto& posture) { return posture.value(); })
       .def("__repr__", each<AnyPosture>([](const auto& posture) {
              if (!posture.holdable())
@@ -220,6 +217,7 @@ void add_parts(py::module_& module) {
              return py::str("Posture(up={}, value={:.6g}, {})")
                  .format(shown(posture.up), posture.value(), to_string(posture.manner));
            }));
+  add_loads(any_posture);
 
   Class<AnyStretch>(module, "UnholdableStretch")
       .either(
@@ -294,7 +292,7 @@ void add_ways(py::module_& module) {
 template <int Dim>
 auto add_turned(py::module_& module, const char* name, const char* words) {
   return Class<Turned<Dim>, AnyPeak>(module, name, words)
-      .attribute("grasp", &Turned<Dim>::grasp, "What is turned; of scenarios the grasp of all.")
+      .attribute("grasp", &Turned<Dim>::grasp, "What is turned.")
       .attribute(
           "objective", [](const Turned<Dim>& turn) { return turn.answer.settings.objective; },
           "Of which the peak is.")
@@ -403,6 +401,19 @@ void add_reachable(py::module_& module) {
 
 void add_turn(py::module_& module) {
   add_parts(module);
+  module.def(
+      "posture_at",
+      [](const AnyGrasp& any, const Eigen::VectorXd& up, double force_cap, Objective objective) {
+        const HoldSettings settings{.force_cap = checked_cap(force_cap), .objective = objective};
+        return std::visit(
+            [&]<int Dim>(const Grasp<Dim>& grasp) {
+              return AnyPosture{posture_at(grasp, unit<Dim>(up), settings)};
+            },
+            any.of);
+      },
+      py::arg("grasp"), py::arg("up"), py::kw_only(), py::arg("force_cap") = 1e6,
+      py::arg("objective") = Objective::effort, py::call_guard<py::gil_scoped_release>(),
+      "The least forces in the posture up (2,) or (3,) against each of the loads.");
   add_ways(module);
   add_turns(module);
   add_reachable(module);
@@ -414,7 +425,7 @@ void add_turn(py::module_& module) {
       "What it takes to turn to another posture. In the plane both ways round, exactly: a\n"
       "PlanarTurn. In space the straight turn and the way of least peak, each between two bounds: "
       "a\n"
-      "SpatialTurn. Instead of a grasp a list of scenarios may be given, as to best_posture.\n\n"
+      "SpatialTurn.\n\n"
       "to: the posture at the end; in the plane an angle [rad] or up (2,), in space up (3,)\n"
       "from_: that at the start; in space also an orientation, object to world: a quaternion (4,) "
       "w,\nx, y, z. Left out, the object is as its frame is: 0, or (1, 0, 0, 0)\n"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ask/answer.hpp"
-#include "scenarios.hpp"
+#include "values.hpp"
 
 namespace poise::python {
 

@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <memory>
 #include <variant>
 
 #include "ask/claims.hpp"
@@ -73,6 +74,7 @@ struct Either {
 };
 using AnyGrasp = Either<Grasp>;
 using AnyHold = Either<Hold>;
+using GraspPointer = std::shared_ptr<AnyGrasp>;
 
 /// What `f` makes of either of them.
 template <class E, class F>
@@ -154,6 +156,18 @@ Vector<Dim> read_vector(py::handle source, const char* name, const std::string& 
   return sized<Dim>(source.attr(name).cast<Eigen::VectorXd>(), path + name);
 }
 
+/// The load at an index, which may be left out where there is one.
+/// @throws InvalidGrasp where there are several and no index
+template <int Dim>
+const Load<Dim>& load_of(const Grasp<Dim>& grasp, std::optional<std::size_t> index) {
+  const std::size_t count = grasp.loads().size();
+  if (!index && count > 1)
+    throw InvalidGrasp(
+        "load", "is missing, must be an index: the grasp has " + std::to_string(count) + " loads");
+  if (index.value_or(0) >= count) throw py::index_error("no such load");
+  return grasp.loads()[index.value_or(0)];
+}
+
 /// A direction of any length, made a unit vector.
 template <int Dim>
 Vector<Dim> unit(const Eigen::VectorXd& up, const std::string& path = "up") {
@@ -176,18 +190,24 @@ inline double checked_cap(double force_cap) {
   return force_cap;
 }
 
-/// An Object, or several: one load for each.
+/// A Load, or several.
 template <int Dim>
 std::vector<Load<Dim>> read_loads(const py::object& source) {
   std::vector<Load<Dim>> loads;
-  const auto add = [&](const py::handle object) {
-    loads.push_back({.weight = object.attr("weight").cast<double>(),
-                     .com = read_vector<Dim>(object, "com", "object.")});
+  const auto add = [&](const py::handle load) {
+    const std::string path = "loads[" + std::to_string(loads.size()) + "].";
+    loads.push_back({.weight = load.attr("weight").cast<double>(),
+                     .com = read_vector<Dim>(load, "com", path),
+                     .fixed = sized<wrench_size<Dim>>(load.attr("fixed").cast<Eigen::VectorXd>(),
+                                                      path + "fixed"),
+                     .lift = load.attr("lift").cast<double>(),
+                     .acceleration = read_vector<Dim>(load, "acceleration", path),
+                     .name = load.attr("name").cast<std::string>()});
   };
-  if (py::hasattr(source, "weight"))
+  if (py::isinstance(source, type("Load")))
     add(source);
   else
-    for (const py::handle object : source) add(object);
+    for (const py::handle load : source) add(load);
   return loads;
 }
 
@@ -245,12 +265,15 @@ std::string shown(const Numbers& numbers) {
   return "[" + py::str(", ").attr("join")(list).template cast<std::string>() + "]";
 }
 
-/// An Object, or a list of them.
 template <int Dim>
-py::object write(const std::vector<Load<Dim>>& loads) {
+py::list write(const std::vector<Load<Dim>>& loads) {
+  using namespace py::literals;  // NOLINT(google-build-using-namespace): _a
+  const py::object python = type("Load");
   py::list list;
-  for (const Load<Dim>& load : loads) list.append(type("Object")(load.weight, load.com));
-  return loads.size() == 1 ? py::object(list[0]) : py::object(list);
+  for (const Load<Dim>& load : loads)
+    list.append(python(load.weight, load.com, "fixed"_a = load.fixed, "lift"_a = load.lift,
+                       "acceleration"_a = load.acceleration, "name"_a = load.name));
+  return list;
 }
 
 template <int Dim>

@@ -24,12 +24,12 @@ Verdict check_dictionary(const AnyGrasp& grasp, const py::dict& document) {
 }
 
 Verdict check_hold(const AnyGrasp& any, const AnyHold& hold, const Eigen::VectorXd& up,
-                   double force_cap) {
+                   std::optional<std::size_t> load, double force_cap) {
   return each(any, hold, [&]<int Dim>(const Grasp<Dim>& grasp, const Hold<Dim>& own) {
-    if (grasp.loads().size() != 1) throw InvalidGrasp("grasp", "has several loads, ask of each");
+    const Grasp<Dim> one(load_of(grasp, load), given_contacts(grasp), 1, grasp.mechanism());
     const HoldSettings settings{.force_cap = checked_cap(force_cap)};
-    const HoldAnswer<Dim> answer{{}, settings, posture_of(grasp, unit<Dim>(up), {own})};
-    return verify::verify(grasp, answer);
+    const HoldAnswer<Dim> answer{{}, settings, posture_of(one, unit<Dim>(up), {own})};
+    return verify::verify(one, answer);
   });
 }
 
@@ -92,12 +92,14 @@ void add_verify(py::module_& module) {
   const char* const words =
       "Checks an answer again, from the grasp alone, by code that shares nothing with what finds "
       "it:\n"
-      "a document of the program, as text or as a dictionary; a hold in the posture up; the best\n"
-      "posture; or a turn. The settings are those with which it was asked for.";
+      "a document of the program, as text or as a dictionary; a hold in the posture up, against "
+      "the\n"
+      "load of an index where there are several; the best posture; or a turn. The settings are "
+      "those with which it was asked for.";
   module.def("verify", &check_text, py::arg("grasp"), py::arg("document"), words);
   module.def("verify", &check_dictionary, py::arg("grasp"), py::arg("document"), words);
   module.def("verify", &check_hold, py::arg("grasp"), py::arg("hold"), py::arg("up"), py::kw_only(),
-             py::arg("force_cap") = 1e6, words);
+             py::arg("load") = py::none(), py::arg("force_cap") = 1e6, words);
   module.def("verify", &check_best, py::arg("grasp"), py::arg("best"), py::kw_only(),
              py::arg("domain") = Domain::all, py::arg("force_cap") = 1e6, words);
   module.def("verify", &check_best_in_space, py::arg("grasp"), py::arg("best"), py::kw_only(),

@@ -39,7 +39,7 @@ def norm_of_response(y):  # |projection of G^T y onto the cones|: hard fingers w
 
 
 grasp = poise("check")
-W, com = grasp["scenarios"][0]["weight"], np.array(grasp["scenarios"][0]["com"])
+W, com = grasp["loads"][0]["weight"], np.array(grasp["loads"][0]["com"])
 
 best = np.array(poise("best")["best"]["up"])
 axis = np.array([0, 0, 1])

@@ -3,7 +3,7 @@
 import poise
 
 # An L-shaped part of 0.13 kg, its upright leg between two fingers. Metres, newtons.
-part = poise.Object(weight=0.13 * poise.standard_gravity, com=[0.02, 0.03])
+part = poise.Load(weight=0.13 * poise.standard_gravity, com=[0.02, 0.03])
 left = poise.Contact(position=[0, 0.045], normal=[1, 0], friction=0.6, finger="left")
 right = poise.Contact(position=[0.02, 0.045], normal=[-1, 0], friction=0.6, finger="right")
 grasp = poise.Grasp(part, [left, right])

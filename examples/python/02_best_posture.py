@@ -4,7 +4,7 @@ import math
 
 import poise
 
-part = poise.Object(weight=0.13 * poise.standard_gravity, com=[0.02, 0.03])
+part = poise.Load(weight=0.13 * poise.standard_gravity, com=[0.02, 0.03])
 left = poise.Contact(position=[0, 0.045], normal=[1, 0], friction=0.6)
 right = poise.Contact(position=[0.02, 0.045], normal=[-1, 0], friction=0.6)
 grasp = poise.Grasp(part, [left, right])

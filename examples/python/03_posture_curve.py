@@ -8,7 +8,7 @@ import poise
 x, y = sin(radians(75)), cos(radians(75))
 right = poise.Contact(position=[x, y], normal=[-x, -y], friction=1)
 left = poise.Contact(position=[-x, y], normal=[x, -y], friction=0.5773503)
-grasp = poise.Grasp(poise.Object(weight=10), [right, left])
+grasp = poise.Grasp(poise.Load(weight=10), [right, left])
 
 curve = poise.posture_curve(grasp)
 for held in curve.holdable:

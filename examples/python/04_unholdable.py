@@ -5,7 +5,7 @@ import numpy as np
 import poise
 
 # A cube of 1 kg between two slippery fingers that are not opposite to each other.
-cube = poise.Object(weight=9.80665, com=[0, 0])
+cube = poise.Load(weight=9.80665, com=[0, 0])
 left = poise.Contact(position=[-0.05, 0.02], normal=[1, 0], friction=0.1)
 right = poise.Contact(position=[0.05, -0.02], normal=[-1, 0], friction=0.1)
 grasp = poise.Grasp(cube, [left, right])

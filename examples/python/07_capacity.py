@@ -4,7 +4,7 @@ import poise
 
 left = poise.Contact([-0.03, 0], [1, 0], friction=0.4, max_normal=25, finger="left")
 right = poise.Contact([0.03, 0], [-1, 0], friction=0.6, finger="right")
-grasp = poise.Grasp(poise.Object(weight=10), [left, right])
+grasp = poise.Grasp(poise.Load(weight=10), [left, right])
 up = poise.up_at(0)
 
 capacity = poise.capacity(grasp, up, safety=1.5)

@@ -54,8 +54,9 @@ struct Minimum : Posture<Dim> {};
 template <>
 struct Minimum<2> : Posture<2> {
   Optimum optimum;
-  /// At a kink with exactly two loaded contacts, both slipping: where the edges of their friction
-  /// cones meet [m, object frame], on the vertical through the centre of mass. None if parallel.
+  /// At a kink with exactly two loaded contacts, both slipping against nothing but a weight: where
+  /// the edges of their friction cones meet [m, object frame], on the vertical through the centre
+  /// of mass. None if parallel.
   std::optional<Vector<2>> edges_meet;
   bool two_slipping{false};  ///< whether edges_meet was asked for
 };
@@ -98,8 +99,8 @@ struct Best {
   const Minimum<Dim>* best_pinched() const { return pinched ? &minima[*pinched] : nullptr; }
 };
 
-/// The best posture of a planar grasp, exactly. For one load.
-/// @throws InvalidGrasp for settings out of their ranges, or more than one load
+/// The best posture of a planar grasp, exactly: the one whose worst load needs least.
+/// @throws InvalidGrasp for settings out of their ranges
 Best<2> best_posture(const Grasp<2>& grasp, const CurveSettings& settings = {});
 
 /// The best posture of a spatial grasp, certified: the one whose worst load needs least.

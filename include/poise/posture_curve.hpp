@@ -61,6 +61,7 @@ struct Arc {
   /// Of grip: forces that balance the load all along at a grip of F, one for each contact. They are
   /// not those of least effort.
   std::vector<ArcForce> forces{};
+  std::size_t load{0};  ///< that needs most here
 };
 
 /// Postures in which the object cannot be held, and one y that proves it inside (see Hold::dual),
@@ -70,6 +71,7 @@ struct UnholdableArc {
   double from{0}, to{0};  ///< [rad], open
   Twist<2> y;
   std::optional<std::vector<double>> rates{};
+  std::size_t load{0};  ///< that cannot be held
 };
 
 /// Of an optimum of the curve.
@@ -91,7 +93,8 @@ struct Optimum {
   bool maximum{false};
 };
 
-/// The whole answer in the plane. Angles of arcs run from the domain's start upwards.
+/// The whole answer in the plane. Angles of arcs run from the domain's start upwards. Of several
+/// loads it is that of the load that needs most in each posture.
 struct PostureCurve {
   Objective objective{Objective::effort};  ///< what the values are of
   Interval domain;
@@ -105,6 +108,9 @@ struct PostureCurve {
   /// Minima by value, lowest first, then maxima, highest first. Of ties (within 1e-6) the
   /// least turn from the present posture, then that counter-clockwise.
   std::vector<Optimum> optima;
+  /// Of several loads the curve of each alone, over the same domain: what proves that the others
+  /// need no more. Empty where there is one.
+  std::vector<PostureCurve> loads{};
 };
 
 /// Planar postures to choose from: all of them, or the paper's range of pinching up: those outside
@@ -114,18 +120,17 @@ enum class Domain { all, pinching_up };
 /// Which postures to go through, and what still counts as a hold.
 struct CurveSettings {
   Domain domain{Domain::all};
-  double force_cap{1e6};                   ///< [weights]
+  double force_cap{1e6};                   ///< in sizes of each load
   Objective objective{Objective::effort};  ///< what is to be least
   double present{0};                       ///< [rad]: of ties the least turn from it comes first
 };
 
-/// The postures to choose from: the whole circle, or the closed rest of the fork.
+/// The postures to choose from: the whole circle, or the closed rest of the fork of the first load.
 Interval domain_interval(const Grasp<2>& grasp, Domain domain);
 
 /// V(theta) or F*(theta) of every posture of the domain, with its minima and maxima, without
-/// sampling.
-/// @throws InvalidGrasp where the grasp has more than one load; of effort where a drive has a max;
-///         of grip as grip_unit()
+/// sampling; of several loads their greatest.
+/// @throws InvalidGrasp of effort where a drive has a max; of grip as grip_unit()
 PostureCurve posture_curve(const Grasp<2>& grasp, const CurveSettings& settings = {});
 
 }  // namespace poise

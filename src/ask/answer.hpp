@@ -9,6 +9,7 @@
 
 #include "poise/best_posture.hpp"
 #include "poise/capacity.hpp"
+#include "poise/shake.hpp"
 #include "poise/turn.hpp"
 
 namespace poise {
@@ -111,6 +112,8 @@ struct CapacityAt {
   Vector<Dim> up;
   std::size_t load{0};
   Capacity<Dim> capacity;
+  Shake<Dim> shake;
+  Tilting<Dim> tilting;
 };
 
 template <int Dim>

@@ -414,9 +414,14 @@ CapacityAnswer<Dim> capacities(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
   const HoldSettings settings{.force_cap = question.force_cap};
   CapacityAnswer<Dim> answer{option_of(question), question.force_cap, question.safety, {}};
   for (const auto& [name, up] : postures(file, grasp, question, Which::all))
-    for (std::size_t k = 0; k < grasp.loads().size(); ++k)
-      answer.capacities.push_back(
-          {name, up, k, capacity(grasp, grasp.loads()[k], up, question.safety, settings)});
+    for (std::size_t k = 0; k < grasp.loads().size(); ++k) {
+      const Load<Dim>& load = grasp.loads()[k];
+      const Grasp<Dim> one(load, grasp.contacts(), 1, grasp.mechanism());
+      const ShakeSettings shaken{.force_cap = question.force_cap};
+      answer.capacities.push_back({name, up, k,
+                                   capacity(grasp, load, up, question.safety, settings),
+                                   shake(one, up, shaken), tilting(one, up, shaken)});
+    }
   return answer;
 }
 

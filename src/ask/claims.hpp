@@ -39,11 +39,6 @@ void fields(ArcForce& force, auto& visit) {
   visit("normal", force.normal, "tangential", force.tangential);
 }
 void fields(ArcState& arc, auto& visit) { visit("state", arc.state, "limit", arc.limit); }
-void fields(UnholdableArc& arc, auto& visit) {
-  visit.degrees("from_deg", arc.from, "to_deg", arc.to);
-  visit("y", arc.y);
-  visit.maybe("rates", arc.rates);
-}
 void fields(Tilt& tilt, auto& visit) {
   visit("from", tilt.from);
   visit.degrees("max_deg", tilt.most);
@@ -121,7 +116,7 @@ template <int Dim>
 struct HoldClaim {
   bool holdable{false};
   Vector<Dim> up;
-  double angle_deg{0};                                    ///< in the plane
+  double angle_deg{0};  ///< in the plane
   // Where there are several loads.
   std::optional<std::size_t> load{};  ///< that decides
   /// What each needs, in the objective; null: cannot be held.
@@ -187,16 +182,18 @@ struct ArcDual {
 };
 
 struct ArcClaim {
-  double from{0}, to{0};           ///< [rad]
-  std::optional<Harmonic1> F{};    ///< of grip; then y and rates prove it all along
-  Harmonic2 V{};                   ///< of effort
-  ArcDual y{};                     ///< of grip c0 alone
-  std::vector<double> rates{};     ///< of grip
-  std::vector<ArcForce> forces{};  ///< of grip, one for each contact
-  std::vector<ArcState> states{};  ///< one for each contact
+  double from{0}, to{0};              ///< [rad]
+  std::optional<Harmonic1> F{};       ///< of grip; then y and rates prove it all along
+  Harmonic2 V{};                      ///< of effort
+  ArcDual y{};                        ///< of grip c0 alone
+  std::vector<double> rates{};        ///< of grip
+  std::vector<ArcForce> forces{};     ///< of grip, one for each contact
+  std::vector<ArcState> states{};     ///< one for each contact
+  std::optional<std::size_t> load{};  ///< that needs most, where there are several
 
   void fields(auto& visit) {
     visit.degrees("from_deg", from, "to_deg", to);
+    visit.maybe("load", load);
     visit.maybe("F", F);
     if (F)
       visit("y", y.c0, "rates", rates, "forces", forces);
@@ -204,6 +201,28 @@ struct ArcClaim {
       visit("V", V, "y", y);
     visit("states", states);
   }
+};
+
+struct UnholdableClaim {
+  double from{0}, to{0};  ///< [rad]
+  Twist<2> y = Twist<2>::Zero();
+  std::optional<std::vector<double>> rates{};
+  std::optional<std::size_t> load{};  ///< that cannot be held, where there are several
+
+  void fields(auto& visit) {
+    visit.degrees("from_deg", from, "to_deg", to);
+    visit.maybe("load", load);
+    visit("y", y);
+    visit.maybe("rates", rates);
+  }
+};
+
+/// The curve of one of several loads.
+struct LoadCurveClaim {
+  std::vector<ArcClaim> arcs{};
+  std::vector<Interval> holdable_arcs_deg{};  ///< [rad]
+
+  void fields(auto& visit) { visit("arcs", arcs, "holdable_arcs_deg", holdable_arcs_deg); }
 };
 
 /// A rotation; with its angle where it is a turn.
@@ -370,8 +389,9 @@ struct BestDocument {
   // In the plane.
   std::optional<OptimumClaim> worst{};
   std::vector<ArcClaim> arcs{};
-  std::vector<UnholdableArc> unholdable_arcs{};
-  std::vector<Interval> holdable_arcs_deg{};  ///< [rad]
+  std::vector<UnholdableClaim> unholdable_arcs{};
+  std::vector<Interval> holdable_arcs_deg{};                 ///< [rad]
+  std::optional<std::vector<LoadCurveClaim>> load_curves{};  ///< where there are several
   // In space.
   bool minima_complete{false};
   int holds{0};
@@ -390,6 +410,7 @@ struct BestDocument {
     if constexpr (Dim == 3) return visit("holds", holds, "cuts", cuts);
     visit("arcs", arcs, "unholdable_arcs", unholdable_arcs);
     visit("holdable_arcs_deg", holdable_arcs_deg);
+    visit.maybe("load_curves", load_curves);
   }
 };
 
@@ -408,11 +429,13 @@ struct CurveDocument {
   OptionsClaim options{};
   std::vector<OptimumClaim> optima{};
   std::vector<ArcClaim> arcs{};
-  std::vector<Interval> holdable_arcs_deg{};  ///< [rad]
+  std::vector<Interval> holdable_arcs_deg{};                 ///< [rad]
+  std::optional<std::vector<LoadCurveClaim>> load_curves{};  ///< where there are several
 
   void fields(auto& visit) {
     visit("options", options, "optima", optima, "arcs", arcs);
     visit("holdable_arcs_deg", holdable_arcs_deg);
+    visit.maybe("load_curves", load_curves);
   }
 };
 
@@ -483,22 +506,72 @@ struct FrictionClaim {
   }
 };
 
+/// What proves how much is withstood: the hull of what is held, and a half-space.
+template <int Dim>
+struct ShakeProofClaim {
+  Twist<Dim> y;
+  std::optional<std::vector<double>> rates{};  ///< of the drives, where any has a max
+  std::vector<Vector<Dim>> held{};
+
+  void fields(auto& visit) {
+    visit("y", y);
+    visit.maybe("rates", rates);
+    visit("held", held);
+  }
+};
+
+/// The acceleration that is withstood in every direction.
+template <int Dim>
+struct ShakeClaim {
+  std::optional<double> acceleration{}, bound{};  ///< null: infinite
+  std::optional<Vector<Dim>> direction{};         ///< null without a bound
+  std::optional<bool> proven{};                   ///< told where it is false
+  ShakeProofClaim<Dim> proof{};                   ///< held: accelerations
+
+  void fields(auto& visit) {
+    visit("acceleration", acceleration, "bound", bound, "direction", direction);
+    visit.maybe("proven", proven);
+    visit("proof", proof);
+  }
+};
+
+/// How far the posture may be tilted.
+template <int Dim>
+struct TiltClaim {
+  double bound{0};                      ///< [rad]
+  std::optional<Vector<Dim>> weakest{};  ///< the posture so far away; null where all are held
+  std::optional<bool> proven{};         ///< told where it is false
+  ShakeProofClaim<Dim> proof{};         ///< held: vectors in place of up
+
+  void fields(auto& visit) {
+    visit.degrees("bound_deg", bound);
+    visit("weakest", weakest);
+    visit.maybe("proven", proven);
+    visit("proof", proof);
+  }
+};
+
 /// What a gripper can hold in a posture, against one load.
 template <int Dim>
 struct CapacityClaim {
   std::string posture;
   Vector<Dim> up;
-  double angle_deg{0};                    ///< in the plane
+  double angle_deg{0};                ///< in the plane
   std::optional<std::size_t> load{};  ///< where there are several
   WeightClaim<Dim> weight{};
   FrictionClaim<Dim> friction{};
   HoldClaim<Dim> command{};
+  ShakeClaim<Dim> shake{};
+  double tilted{0};  ///< [rad]
+  TiltClaim<Dim> tilt{};
 
   void fields(auto& visit) {
     visit("posture", posture, "up", up);
     if constexpr (Dim == 2) visit("angle_deg", angle_deg);
     visit.maybe("load", load);
-    visit("weight", weight, "friction", friction, "command", command);
+    visit("weight", weight, "friction", friction, "command", command, "shake", shake);
+    visit.degrees("tilt_deg", tilted);
+    visit("tilt", tilt);
   }
 };
 

@@ -154,10 +154,11 @@ std::optional<MinimumClaim<Dim>> minimum_claim(const Grasp<Dim>& grasp,
   return minimum_claim(grasp, *minimum);
 }
 
-std::vector<ArcClaim> arc_claims(const PostureCurve& curve, std::size_t contacts) {
+std::vector<ArcClaim> arc_claims(const PostureCurve& curve) {
   std::vector<ArcClaim> claims;
   for (const Arc& arc : curve.arcs) {
     ArcClaim claim{.from = arc.from, .to = arc.to};
+    if (!curve.loads.empty()) claim.load = arc.load;
     if (arc.rates) {
       claim.F = {arc.value.c0, arc.value.cos1, arc.value.sin1};
       claim.rates = *arc.rates;
@@ -171,10 +172,27 @@ std::vector<ArcClaim> arc_claims(const PostureCurve& curve, std::size_t contacts
       claim.y.cos1[k] = y.cos1;
       claim.y.sin1[k] = y.sin1;
     }
+    const auto contacts = curve.states.size() / curve.arcs.size();
     const auto first = curve.states.begin() + static_cast<std::ptrdiff_t>(arc.first_state);
     claim.states.assign(first, first + static_cast<std::ptrdiff_t>(contacts));
     claims.push_back(std::move(claim));
   }
+  return claims;
+}
+
+std::vector<UnholdableClaim> unholdable_claims(const PostureCurve& curve) {
+  std::vector<UnholdableClaim> claims;
+  for (const UnholdableArc& arc : curve.unholdable_arcs) {
+    claims.push_back({arc.from, arc.to, arc.y, arc.rates, {}});
+    if (!curve.loads.empty()) claims.back().load = arc.load;
+  }
+  return claims;
+}
+
+std::optional<std::vector<LoadCurveClaim>> load_curve_claims(const PostureCurve& curve) {
+  if (curve.loads.empty()) return {};
+  std::vector<LoadCurveClaim> claims;
+  for (const PostureCurve& each : curve.loads) claims.push_back({arc_claims(each), each.holdable});
   return claims;
 }
 
@@ -252,9 +270,10 @@ void add_proof(BestDocument<2>& claim, const Grasp<2>& grasp, const BestAnswer<2
                                      degrees(near->least_angle), degrees(near->most_angle)};
   if (answer.best.holdable()) claim.lower_bound = answer.best.lower_bound;
   if (proof.worst) claim.worst = minimum_claim(grasp, *proof.worst);
-  claim.arcs = arc_claims(proof.curve, grasp.contacts().size());
-  claim.unholdable_arcs = proof.curve.unholdable_arcs;
+  claim.arcs = arc_claims(proof.curve);
+  claim.unholdable_arcs = unholdable_claims(proof.curve);
   claim.holdable_arcs_deg = proof.curve.holdable;
+  claim.load_curves = load_curve_claims(proof.curve);
 }
 
 void add_proof(BestDocument<3>& claim, const Grasp<3>& grasp, const BestAnswer<3>& answer) {
@@ -400,6 +419,33 @@ void add_posture(Json& result, const PlanarFile& file) {
   result["domain"] = words_of(file.domain)[static_cast<std::size_t>(file.domain)];
 }
 
+/// Of a Shake or a Tilting of one load.
+template <int Dim, class Found>
+ShakeProofClaim<Dim> proof_claim(const Found& found) {
+  ShakeProofClaim<Dim> claim{.y = found.cut.y, .rates = some(found.cut.rates)};
+  claim.held = found.held.front();
+  return claim;
+}
+
+template <int Dim>
+ShakeClaim<Dim> shake_claim(const Shake<Dim>& found) {
+  ShakeClaim<Dim> claim{.acceleration = finite(found.acceleration),
+                        .bound = finite(found.bound),
+                        .proven = where_false(found.proven),
+                        .proof = proof_claim<Dim>(found)};
+  if (claim.bound && found.holdable) claim.direction = found.direction;
+  return claim;
+}
+
+template <int Dim>
+TiltClaim<Dim> tilt_claim(const Tilting<Dim>& found) {
+  TiltClaim<Dim> claim{.bound = found.bound,
+                       .proven = where_false(found.proven),
+                       .proof = proof_claim<Dim>(found)};
+  if (!found.cut.y.isZero(0)) claim.weakest = found.up;
+  return claim;
+}
+
 void add_posture(Json& result, const SpatialFile& file) {
   result["up"] = file.up ? json_value(*file.up) : Json();
   result["tilt"] = file.tilt ? tilt_value(*file.tilt) : Json();
@@ -461,8 +507,9 @@ TurnDocument<3> claims_of(const Grasp<3>& grasp, const TurnAnswer<3>& answer) {
 
 CurveDocument claims_of(const Grasp<2>& grasp, const CurveAnswer& answer) {
   CurveDocument claim{.options = options_claim(answer.settings),
-                      .arcs = arc_claims(answer.curve, grasp.contacts().size()),
-                      .holdable_arcs_deg = answer.curve.holdable};
+                      .arcs = arc_claims(answer.curve),
+                      .holdable_arcs_deg = answer.curve.holdable,
+                      .load_curves = load_curve_claims(answer.curve)};
   for (const Minimum<2>& each : answer.optima) {
     claim.optima.push_back(minimum_claim(grasp, each));
     claim.optima.back().type = each.optimum.maximum ? Extremum::max : Extremum::min;
@@ -485,6 +532,9 @@ CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Di
     capacity.weight = weight_claim<Dim>(grasp, load, at.capacity.weights);
     capacity.friction = friction_claim<Dim>(grasp, load, at.capacity.friction);
     capacity.command = hold_claim<Dim>(safe, load.size(grasp.length()), at.capacity.safe);
+    capacity.shake = shake_claim(at.shake);
+    capacity.tilted = at.tilting.angle;
+    capacity.tilt = tilt_claim(at.tilting);
     claim.capacities.push_back(std::move(capacity));
   }
   return claim;

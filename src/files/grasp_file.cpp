@@ -159,7 +159,10 @@ Contact<Dim> read_contact(const Field& field, double unit, bool outward,
                           const std::optional<ShapeOf<Dim>>& shape) {
   Keys of_plane = contact_keys<2>();
   of_plane.emplace_back("pad");
-  check_keys<Dim>(field, {"adhesion"}, of_plane, contact_keys<3>());
+  of_plane.emplace_back("adhesion");
+  Keys of_space = contact_keys<3>();
+  of_space.emplace_back("adhesion");
+  check_keys<Dim>(field, {}, of_plane, of_space);
   const Field position = field.get("position", coordinates<Dim>);
   field.get("friction", "a number");
   Contact<Dim> contact;
@@ -305,6 +308,24 @@ void close_gripper(const Field& root, const Field& gripper, double unit, Spatial
   }
 }
 
+/// Where the file says what a grasp has at a path: several loads may come from one entry.
+template <int Dim>
+std::string path_in_file(const Field& root, const std::string& path) {
+  if (!path.starts_with("loads[")) return path;
+  const std::size_t end = path.find(']');
+  const std::string entry = load_paths<Dim>(root)[std::stoul(path.substr(6, end - 6))];
+  const std::string field = path.substr(end + 2);
+  // What an entry does not say is as the object says.
+  Keys keys;
+  if (field == "weight") keys = {"weight", "mass", "density", "inertial"};
+  if (field.starts_with("com")) keys = {"com", "inertial"};
+  const Field own = root.follow(entry);
+  const bool is_own =
+      keys.empty() || std::any_of(keys.begin(), keys.end(),
+                                  [&](std::string_view key) { return own.find(key).has_value(); });
+  return (is_own ? entry : "object") + "." + field;
+}
+
 /// Checks the grasp, and adds what is doubtful in it to the warnings.
 template <int Dim>
 void check_grasp(const Field& root, CommonFile<Dim>& file) {
@@ -322,7 +343,8 @@ void check_grasp(const Field& root, CommonFile<Dim>& file) {
     const std::vector<std::string> lines = doubts<Dim>(file, grasp, root);
     file.warnings.insert(file.warnings.end(), lines.begin(), lines.end());
   } catch (const InvalidGrasp& error) {
-    throw FileError(root.file(), root.follow(error.path()).place(), error.path(), error.problem());
+    const std::string path = path_in_file<Dim>(root, error.path());
+    throw FileError(root.file(), root.follow(path).place(), path, error.problem());
   }
 }
 

@@ -165,7 +165,12 @@ std::vector<std::string> doubts(const CommonFile<Dim>& file, const Grasp<Dim>& g
     if (gripped && i > 0) break;  // they are all alike
     const std::string path = gripped ? "gripper" : "contacts[" + std::to_string(i) + "]";
     const Contact<Dim>& contact = grasp.contacts()[i];
-    if (root.follow(path).find("normal"))
+    const Vector<Dim>& r = contact.position;
+    const auto [first, is_new] = positions.try_emplace({r.begin(), r.end()}, i);
+    // A pull acts where the contact presses, against its normal.
+    const bool is_pull = !is_new && contact.friction == 0 &&
+                         contact.normal.dot(grasp.contacts()[first->second].normal) < -0.5;
+    if (root.follow(path).find("normal") && !is_pull)
       check_normal<Dim>(doubts, path, file.shape, contact, grasp.center());
     if (file.contacts[i].friction > 3)
       doubts.add(path + ".friction", "is " + number_text(file.contacts[i].friction) +
@@ -176,12 +181,7 @@ std::vector<std::string> doubts(const CommonFile<Dim>& file, const Grasp<Dim>& g
                    "is " + number_text(file.contacts[i].torsion, 3) +
                        " m, more than the size of the grasp: it is a length, about the size of "
                        "the touching area");
-    const Vector<Dim>& r = contact.position;
-    const auto [first, is_new] = positions.try_emplace({r.begin(), r.end()}, i);
-    // A pull acts where the contact presses, against its normal.
-    const bool opposed =
-        !is_new && contact.normal.dot(grasp.contacts()[first->second].normal) < -0.5;
-    if (!is_new && !opposed)
+    if (!is_new && !is_pull)
       doubts.add(path + ".position",
                  "is the same as that of contacts[" + std::to_string(first->second) + "]");
   }

@@ -270,15 +270,11 @@ Hold<Dim> general_hold(const Hand<Dim>& hand, double friction_factor, const Wren
   return hold;
 }
 
-/// A contact's limit is that of a drive that moves it alone along its normal. So all limits are
-/// those of drives, counted in parts, and what is asked for is the least grip.
 template <int Dim>
-LeastPart<Dim> least_part(const Hand<Dim>& hand, double friction_factor, const Wrench<Dim>& load,
-                          double weight) {
-  const ScaledHand<Dim>& scaled = hand.scaled();
+PartHand<Dim> part_hand(const Hand<Dim>& hand, double friction_factor, double weight) {
   const dual::ConeHand<Dim> given = cone_hand(hand, weight, dual::Wanted::effort, friction_factor);
   dual::ConeHand<Dim> cones{given.fingers, {}, {}, given.drives};
-  double least_max = infinity;  // F is counted in this, to be of the size of the load
+  double least_max = infinity;
   for (const dual::ConeDrive<Dim>& drive : given.drives) least_max = std::min(least_max, drive.max);
   for (const Contact<Dim>& contact : hand.contacts())
     if (contact.max_normal > 0) least_max = std::min(least_max, contact.max_normal / weight);
@@ -306,16 +302,24 @@ LeastPart<Dim> least_part(const Hand<Dim>& hand, double friction_factor, const W
     }
     cones.contacts.push_back(cone);
   }
+  return {std::move(cones), least_max};
+}
+
+template <int Dim>
+LeastPart<Dim> least_part(const Hand<Dim>& hand, double friction_factor, const Wrench<Dim>& load,
+                          double weight) {
+  const ScaledHand<Dim>& scaled = hand.scaled();
+  const PartHand<Dim> parts = part_hand(hand, friction_factor, weight);
   const dual::Balance<Dim> found =
-      dual::balance(cones, scaled_wrench(scaled, weight, load), dual::Wanted::grip);
+      dual::balance(parts.cones, scaled_wrench(scaled, weight, load), dual::Wanted::grip);
   LeastPart<Dim> least{
-      found.state, found.value / least_max, about_origin(scaled, 1 / weight, found.y), {}};
+      found.state, found.value / parts.unit, about_origin(scaled, 1 / weight, found.y), {}};
   const std::vector<Drive<Dim>> drives = hand.drives();
   least.rates.resize(drives.size());
   std::size_t limited = 0;
   for (std::size_t a = 0; a < drives.size(); ++a) {
     const bool is_limited = std::isfinite(drives[a].max);
-    const double rate = is_limited ? found.rates[limited++] * least_max / drives[a].max : 0;
+    const double rate = is_limited ? found.rates[limited++] * parts.unit / drives[a].max : 0;
     least.rates[a] = found.state == dual::Balance<Dim>::State::not_held ? 0 : rate;
   }
   return least;
@@ -326,6 +330,7 @@ LeastPart<Dim> least_part(const Hand<Dim>& hand, double friction_factor, const W
   template double scaled_grip(const Hand<Dim>&, double);                                    \
   template void write_balance(const Hand<Dim>&, double, const dual::ConeHand<Dim>&,         \
                               const dual::Balance<Dim>&, Hold<Dim>&, double);               \
+  template PartHand<Dim> part_hand(const Hand<Dim>&, double, double);                       \
   template LeastPart<Dim> least_part(const Hand<Dim>&, double, const Wrench<Dim>&, double); \
   template Hold<Dim> general_hold(const Hand<Dim>&, double, const Wrench<Dim>&, double,     \
                                   const HoldSettings&);

@@ -22,6 +22,16 @@ template <int Dim>
 void write_balance(const Hand<Dim>& hand, double weight, const dual::ConeHand<Dim>& cones,
                    const dual::Balance<Dim>& balance, Hold<Dim>& hold, double friction_factor = 1);
 
+/// A hand whose limits are all those of drives, counted in parts: the limit of a contact is that of a
+/// drive that moves it alone along its normal. So the least part of them is a least grip.
+template <int Dim>
+struct PartHand {
+  dual::ConeHand<Dim> cones;  ///< first the hand's limited drives, then those of contacts
+  double unit;                ///< the grip F that is a part of 1: of the size of the load
+};
+template <int Dim>
+PartHand<Dim> part_hand(const Hand<Dim>& hand, double friction_factor, double weight);
+
 /// How much of their limits drives and contacts use at least: the greatest part of `max` or
 /// `max_normal` that any of them gives.
 template <int Dim>

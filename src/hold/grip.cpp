@@ -165,9 +165,15 @@ std::vector<DriveEffort> drive_efforts(const Hand<Dim>& hand, const Hold<Dim>& h
   const auto wrenches = finger_wrenches(hand, hold);
   for (const auto& moved : driven.moved)
     efforts[moved.drive].effort += moved.twist.dot(wrenches[moved.finger]);
-  for (std::size_t a = 0; a < efforts.size(); ++a)
+  // What rounding leaves of drives that do nothing.
+  const double nothing = 1e-13 * std::sqrt(hold.effort);
+  for (std::size_t a = 0; a < efforts.size(); ++a) {
+    double& effort = efforts[a].effort;
+    const double length = driven.drives[a].turns ? hand.scaled().length : 1;
+    if (std::abs(effort) <= nothing * length) effort = 0;
     if (const double max = driven.drives[a].max; std::isfinite(max))
-      efforts[a].part_of_max = efforts[a].effort / max;
+      efforts[a].part_of_max = effort / max;
+  }
   return efforts;
 }
 

@@ -22,13 +22,14 @@ std::string text(double value) {
 /// Where a number stands: its path is written only when something is wrong with it.
 struct Place {
   const char* field;
-  std::size_t contact = static_cast<std::size_t>(-1);
+  std::size_t index = static_cast<std::size_t>(-1);
   int component = -1;
+  const char* list = "contacts";
 
   std::string path() const {
     std::string path;
-    if (contact != static_cast<std::size_t>(-1))
-      path = "contacts[" + std::to_string(contact) + "].";
+    if (index != static_cast<std::size_t>(-1))
+      path = std::string(list) + "[" + std::to_string(index) + "].";
     path += field;
     if (component >= 0) path += "[" + std::to_string(component) + "]";
     return path;
@@ -184,13 +185,15 @@ void check(const Finger<Dim>& finger, const Hand<Dim>& hand, std::size_t index) 
 template <int Dim>
 const std::vector<Load<Dim>>& checked(const std::vector<Load<Dim>>& loads) {
   if (loads.empty()) throw InvalidGrasp("loads", "is empty, must hold at least one load");
-  for (const Load<Dim>& load : loads) {
-    check(load.weight, load.weight >= 0, {"object.weight"}, "at least 0");
-    check<Dim>(load.com, {"object.com"});
-    if (!load.fixed.allFinite()) throw InvalidGrasp("loads.fixed", "must be finite");
-    check(load.lift, true, {"loads.acceleration.up"}, "");
-    check<Dim>(load.acceleration, {"loads.acceleration"});
-    check(load.weight, load.turning() != 0 || !load.still().isZero(0), {"object.weight"},
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Load<Dim>& load = loads[k];
+    const auto place = [k](const char* field) { return Place{field, k, -1, "loads"}; };
+    check(load.weight, load.weight >= 0, place("weight"), "at least 0");
+    check<Dim>(load.com, place("com"));
+    if (!load.fixed.allFinite()) throw InvalidGrasp(place("fixed").path(), "must be finite");
+    check(load.lift, true, place("lift"), "a finite number");
+    check<Dim>(load.acceleration, place("acceleration"));
+    check(load.weight, load.turning() != 0 || !load.still().isZero(0), place("weight"),
           "above 0 where nothing else acts");
   }
   return loads;

@@ -58,12 +58,12 @@ double proven_between(const dual::Problem<2>& problem, const LoadCurve& load, co
   return 2 * from_middle < to - from ? std::min(least, at(trough)) : least;
 }
 
-/// What is proven of the effort of a grasp [N^2].
+/// What is proven of the effort of a load [N^2].
 class ProvenEffort {
  public:
-  explicit ProvenEffort(const Grasp<2>& grasp)
-      : problem_(grasp.scaled(), grasp.size()),
-        load_(load_curve(problem_.hand, problem_.weight, grasp.loads().front())) {}
+  ProvenEffort(const Hand<2>& hand, const Load<2>& load)
+      : problem_(hand.scaled(), load.size(hand.length())),
+        load_(load_curve(problem_.hand, problem_.weight, load)) {}
 
   double at(const Arc& arc, double theta) const {
     return between({arc.y[0](theta), arc.y[1](theta), arc.y[2](theta)}, theta, theta);
@@ -83,11 +83,11 @@ class ProvenEffort {
   LoadCurve load_;
 };
 
-/// What is proven of the grip of a grasp [grip_unit()].
+/// What is proven of the grip of a load [grip_unit()].
 class ProvenGrip {
  public:
-  ProvenGrip(const Grasp<2>& grasp, double force_cap)
-      : grasp_(grasp), cap_(force_cap * grasp.size()) {}
+  ProvenGrip(const Hand<2>& hand, const Load<2>& load, double force_cap)
+      : hand_(hand), load_(load), cap_(force_cap * load.size(hand.length())) {}
 
   double at(const Arc& arc, double theta) const {
     SmallVector<double, 4> rates(arc.rates->size());
@@ -107,36 +107,49 @@ class ProvenGrip {
 
  private:
   double bound(const Twist<2>& y, const SmallVector<double, 4>& rates, double theta) const {
-    return grip_bound<2>(grasp_, grasp_.loads().front().at(up_at(theta)), y, rates, cap_);
+    return grip_bound<2>(hand_, load_.at(up_at(theta)), y, rates, cap_);
   }
 
-  const Grasp<2>& grasp_;
+  const Hand<2>& hand_;
+  const Load<2>& load_;
   double cap_;
 };
 
 /// The least that the arcs' own y prove, and those of the postures that rounding left undecided.
+/// @param proven  of each load
 template <class Proven>
 double proven_value(const Grasp<2>& grasp, const PostureCurve& curve, double force_cap,
-                    const Proven& proven) {
+                    const std::vector<Proven>& proven) {
   double least = std::numeric_limits<double>::infinity();
   for (const Arc& arc : curve.arcs) {
     // On an arc the value is least at its ends or where it is flat.
-    least = std::min({least, proven.at(arc, arc.from), proven.at(arc, arc.to)});
+    const Proven& of = proven[arc.load];
+    least = std::min({least, of.at(arc, arc.from), of.at(arc, arc.to)});
     for (const Root& root : sign_changes(derivative(arc.value), arc.from, arc.to))
-      least = std::min(least, proven.at(arc, root.at));
+      least = std::min(least, of.at(arc, root.at));
   }
-  for (const Interval& gap : curve.undecided)
-    least = std::min(
-        least,
-        proven.at(hold(grasp, up_at((gap.from + gap.to) / 2), {force_cap, curve.objective}), gap));
+  for (const Interval& gap : curve.undecided) {
+    double most = 0;
+    for (std::size_t k = 0; k < proven.size(); ++k) {
+      const Vector<2> middle = up_at((gap.from + gap.to) / 2);
+      const Hold<2> held = hold(grasp, grasp.loads()[k], middle, {force_cap, curve.objective});
+      most = std::max(most, proven[k].at(held, gap));
+    }
+    least = std::min(least, most);
+  }
   if (curve.arcs.empty() && curve.undecided.empty()) return 0;
   return std::max(least, 0.0);
 }
 
 double proven_value(const Grasp<2>& grasp, const PostureCurve& curve, double force_cap) {
-  return curve.objective == Objective::grip
-             ? proven_value(grasp, curve, force_cap, ProvenGrip(grasp, force_cap))
-             : proven_value(grasp, curve, force_cap, ProvenEffort(grasp));
+  if (curve.objective == Objective::grip) {
+    std::vector<ProvenGrip> proven;
+    for (const Load<2>& load : grasp.loads()) proven.emplace_back(grasp, load, force_cap);
+    return proven_value(grasp, curve, force_cap, proven);
+  }
+  std::vector<ProvenEffort> proven;
+  for (const Load<2>& load : grasp.loads()) proven.emplace_back(grasp, load);
+  return proven_value(grasp, curve, force_cap, proven);
 }
 
 }  // namespace
@@ -159,7 +172,8 @@ Minimum<2> minimum_at(const Grasp<2>& grasp, const Optimum& optimum,
   for (const double off : {1e-9, -1e-9, 1e-8, -1e-8}) {
     if (minimum.holdable()) break;
     hold_at(optimum.angle + off);
-    minimum.holds.front().residual += std::abs(off);  // against the load as it is at the end
+    for (Hold<2>& hold : minimum.holds)
+      hold.residual += std::abs(off);  // against the load as it is at the end
   }
   minimum.up = up_at(optimum.angle);
   if (minimum.holdable()) minimum.optimum.value = minimum.value();
@@ -171,7 +185,8 @@ Minimum<2> minimum_at(const Grasp<2>& grasp, const Optimum& optimum,
     loaded.push_back(i);
     slipping = slipping && forces[i].state == ContactState::slipping;
   }
-  minimum.two_slipping = optimum.kind == Kind::kink && loaded.size() == 2 && slipping;
+  const bool is_weight = grasp.loads()[minimum.decides].still().isZero(0);
+  minimum.two_slipping = is_weight && optimum.kind == Kind::kink && loaded.size() == 2 && slipping;
   if (minimum.two_slipping)
     minimum.edges_meet = meeting_point(grasp, minimum.hold(), {loaded[0], loaded[1]});
   return minimum;

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 
+#include "plane/envelope.hpp"
 #include "plane/grip_tracer.hpp"
 #include "plane/optima.hpp"
 #include "plane/tracer.hpp"
@@ -29,12 +32,11 @@ void order(const PostureCurve& curve, std::vector<Piece>& pieces) {
             [](const Piece& a, const Piece& b) { return a.from < b.from; });
 }
 
-/// A posture that holds although its neighbours do not.
-bool add_point(const Grasp<2>& grasp, double force_cap, double at, PostureCurve& curve) {
-  const Hold<2> held = hold(grasp, up_at(at), {force_cap, curve.objective});
-  if (!held.holdable) return false;
+/// An arc on which all is as in one hold.
+Arc& add_constant(const Hold<2>& held, const Interval& at, PostureCurve& curve) {
   Arc arc;
-  arc.from = arc.to = at;
+  arc.from = at.from;
+  arc.to = at.to;
   arc.value.c0 = held.value();
   if (curve.objective == Objective::grip) {
     arc.rates.emplace(held.rates.begin(), held.rates.end());
@@ -45,7 +47,21 @@ bool add_point(const Grasp<2>& grasp, double force_cap, double at, PostureCurve&
   arc.first_state = curve.states.size();
   for (const ContactForce<2>& force : held.forces)
     curve.states.push_back({force.state, force.limit});
-  curve.arcs.push_back(arc);
+  return curve.arcs.emplace_back(std::move(arc));
+}
+
+/// A posture that holds although its neighbours do not.
+bool add_point(const Grasp<2>& grasp, double force_cap, double at, PostureCurve& curve) {
+  std::optional<Hold<2>> most;
+  std::size_t decides = 0;
+  for (std::size_t k = 0; k < grasp.loads().size(); ++k) {
+    Hold<2> held = hold(grasp, grasp.loads()[k], up_at(at), {force_cap, curve.objective});
+    if (!held.holdable) return false;
+    if (most && !(held.value() > most->value())) continue;
+    most = std::move(held);
+    decides = k;
+  }
+  add_constant(*most, {at, at}, curve).load = decides;
   return true;
 }
 
@@ -154,6 +170,68 @@ void find_undecided(PostureCurve& curve) {
   }
 }
 
+/// Puts pieces in order and finds the holdable postures.
+void assemble(const Grasp<2>& grasp, double force_cap, PostureCurve& curve) {
+  order(curve, curve.unholdable_arcs);
+  add_points(grasp, force_cap, curve);
+  order(curve, curve.arcs);
+  curve.holdable.clear();
+  drop_slivers(curve);
+  join_arcs(curve);
+}
+
+/// Finds what follows from the arcs of a curve.
+void complete(double present, PostureCurve& curve) {
+  find_undecided(curve);
+  curve.optima = optima(curve, present);
+  for (Interval& interval : curve.holdable) {
+    const double turns = 2 * pi * std::floor((interval.from + pi) / (2 * pi));
+    interval.from -= turns;
+    interval.to -= turns;
+  }
+}
+
+/// The curve of effort of a load that does not turn with gravity.
+PostureCurve constant_curve(const Grasp<2>& grasp, const Interval& domain, double force_cap) {
+  PostureCurve curve{.domain = domain};
+  const Hold<2> held = hold(grasp, up_at(domain.from), {force_cap});
+  if (held.holdable)
+    add_constant(held, domain, curve);
+  else if (held.proven)
+    curve.unholdable_arcs.push_back({domain.from, domain.to, held.dual});
+  return curve;
+}
+
+/// Of a grasp with one load.
+PostureCurve curve_of_one(const Grasp<2>& grasp, const Interval& domain,
+                          const CurveSettings& settings) {
+  // What holds at all, without the drives' max, is the same for both objectives.
+  const Grasp<2> free = grasp.is_general() ? Grasp<2>(grasp.loads(), grasp.contacts()) : grasp;
+  const bool turns = grasp.loads().front().turning() != 0;
+  PostureCurve curve = turns ? trace(free, domain, settings.force_cap)
+                             : constant_curve(free, domain, settings.force_cap);
+  assemble(free, settings.force_cap, curve);
+  if (settings.objective == Objective::grip) {
+    curve.objective = Objective::grip;
+    trace_grip(grasp, settings, curve);
+    assemble(grasp, settings.force_cap, curve);
+  }
+  complete(settings.present, curve);
+  return curve;
+}
+
+/// As they were given: those without a finger's label have none.
+std::vector<Contact<2>> contacts_of(const Grasp<2>& grasp) {
+  std::vector<Contact<2>> contacts = grasp.contacts();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    bool alone = true;
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+      alone = alone && (k == i || grasp.finger_of(k) != grasp.finger_of(i));
+    if (alone && contacts[i].finger == std::to_string(i)) contacts[i].finger.clear();
+  }
+  return contacts;
+}
+
 }  // namespace
 
 const char* to_string(Kind kind) {
@@ -170,38 +248,26 @@ Interval domain_interval(const Grasp<2>& grasp, Domain domain) {
 }
 
 PostureCurve posture_curve(const Grasp<2>& grasp, const CurveSettings& settings) {
-  if (grasp.loads().size() > 1)
-    throw InvalidGrasp("loads", "must be one: the grasp is in the plane");
-  const bool is_grip = settings.objective == Objective::grip;
-  if (!is_grip && grasp.is_general())
+  if (settings.objective == Objective::effort && grasp.is_general())
     throw InvalidGrasp("drives",
                        "have a max, which the curve of effort does not take into account: ask for "
                        "that of grip, leave it out, or give max_normal of the contacts");
-  // What holds at all, without the drives' max, is the same for both.
-  const Grasp<2> free = grasp.is_general() ? Grasp<2>(grasp.loads(), grasp.contacts()) : grasp;
-  PostureCurve curve = trace(free, settings);
-  order(curve, curve.unholdable_arcs);
-  add_points(free, settings.force_cap, curve);
-  order(curve, curve.arcs);
-  drop_slivers(curve);
-  join_arcs(curve);
-  if (is_grip) {
-    curve.objective = Objective::grip;
-    trace_grip(grasp, settings, curve);
-    order(curve, curve.unholdable_arcs);
-    add_points(grasp, settings.force_cap, curve);
-    order(curve, curve.arcs);
-    curve.holdable.clear();
-    drop_slivers(curve);
-    join_arcs(curve);
+  const Interval domain = domain_interval(grasp, settings.domain);
+  if (grasp.loads().size() == 1) return curve_of_one(grasp, domain, settings);
+  PostureCurve curve{.objective = settings.objective, .domain = domain};
+  for (std::size_t k = 0; k < grasp.loads().size(); ++k) {
+    // About the load's own com, which a turn need not move.
+    const Load<2>& load = grasp.loads()[k];
+    const Grasp<2> one(load, contacts_of(grasp), 1, grasp.mechanism());
+    CurveSettings of_one = settings;
+    of_one.force_cap = std::min(settings.force_cap * load.size(grasp.length()) / one.size(), 1e9);
+    PostureCurve& own = curve.loads.emplace_back(curve_of_one(one, domain, of_one));
+    for (Arc& arc : own.arcs) arc.load = k;
+    for (UnholdableArc& gap : own.unholdable_arcs) gap.load = k;
   }
-  find_undecided(curve);
-  curve.optima = optima(curve, settings.present);
-  for (Interval& interval : curve.holdable) {
-    const double turns = 2 * pi * std::floor((interval.from + pi) / (2 * pi));
-    interval.from -= turns;
-    interval.to -= turns;
-  }
+  trace_envelope(curve.loads, curve);
+  assemble(grasp, settings.force_cap, curve);
+  complete(settings.present, curve);
   return curve;
 }
 

@@ -18,13 +18,13 @@ using std::numbers::pi;
 
 class Tracer {
  public:
-  Tracer(const Grasp<2>& grasp, const CurveSettings& settings)
+  Tracer(const Grasp<2>& grasp, const Interval& domain, double force_cap)
       : problem_(grasp.scaled(), grasp.size()),
         load_(load_curve(problem_.hand, problem_.weight, grasp.loads().front())),
-        cap_(settings.force_cap),
+        cap_(force_cap),
         point_(problem_.size),
         solver_(problem_, load_) {
-    curve_.domain = domain_interval(grasp, settings.domain);
+    curve_.domain = domain;
     curve_.arcs.reserve(8);
     curve_.states.reserve(8 * problem_.size);
   }
@@ -169,8 +169,8 @@ class Tracer {
 
 }  // namespace
 
-PostureCurve trace(const Grasp<2>& grasp, const CurveSettings& settings) {
-  return Tracer(grasp, settings).trace();
+PostureCurve trace(const Grasp<2>& grasp, const Interval& domain, double force_cap) {
+  return Tracer(grasp, domain, force_cap).trace();
 }
 
 }  // namespace poise

@@ -10,7 +10,8 @@ inline constexpr double same_angle = 1e-11;
 /// Within this [rad] of the limit of holding, rounding may decide: no piece need be found there.
 inline constexpr double undecidable = 1e-8;
 
-/// A curve with the arcs and unholdable arcs of the domain, in any order and by any whole turns.
-PostureCurve trace(const Grasp<2>& grasp, const CurveSettings& settings);
+/// The curve of effort of a grasp with one load, which must turn: with the arcs and unholdable arcs
+/// of the domain, in any order and by any whole turns.
+PostureCurve trace(const Grasp<2>& grasp, const Interval& domain, double force_cap);
 
 }  // namespace poise

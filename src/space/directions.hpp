@@ -89,4 +89,21 @@ inline std::vector<Vector<3>> on_one_contact(const Grasp<3>& grasp) {
   return ups;
 }
 
+/// Postures in which fingers that no drive moves may carry all: then there is nothing to command.
+inline std::vector<Vector<3>> on_fixed_fingers(const Grasp<3>& grasp) {
+  std::vector<Vector<3>> ups;
+  Vector<3> sum = Vector<3>::Zero();
+  for (std::size_t i = 0; i < grasp.contacts().size(); ++i) {
+    const auto& moved = grasp.driven().moved;
+    if (std::any_of(moved.begin(), moved.end(),
+                    [&](const auto& each) { return each.finger == grasp.finger_of(i); }))
+      continue;
+    const Vector<3>& normal = grasp.contacts()[i].normal;
+    if (std::find(ups.begin(), ups.end(), normal) == ups.end()) ups.push_back(normal);
+    sum += normal;
+  }
+  if (ups.size() > 1 && sum.norm() > 1e-3) ups.push_back(sum.normalized());
+  return ups;
+}
+
 }  // namespace poise::search

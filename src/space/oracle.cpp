@@ -39,6 +39,12 @@ Direction direction(const Vector<3>& v) {
   return {Vector<3>::Zero(), 1};
 }
 
+/// A grip in parts of the largest load's size: of next to nothing it is 0.
+double squared_grip(double grip) {
+  constexpr double nothing = 1e-12;
+  return grip > nothing ? grip * grip : 0;
+}
+
 /// phi(G^T y), and what rounding of G^T y may hide of it: a cut must not be deeper than it is.
 double phi_rounded_up(const dual::Point<3>& point, bool is_gauge) {
   double power = 0, squared = 0, contacts = 0;
@@ -138,7 +144,11 @@ Oracle::Oracle(const Grasp<3>& grasp, const std::vector<ScaledLoad>& loads, Obje
     is_gauge = false;
     for (const auto& drive : grasp.driven().drives)
       scales = scales && (is_grip() || !std::isfinite(drive.max));
-    if (is_grip()) unit = scaled_grip(grasp, grasp.size());
+    if (is_grip()) {
+      unit = scaled_grip(grasp, grasp.size());
+      const std::vector<Vector<3>> more = on_fixed_fingers(grasp);
+      candidates.insert(candidates.end(), more.begin(), more.end());
+    }
     if (is_grip()) most = std::min(most, std::pow(most_grip(grasp) / unit, 2));
     for (const Load<3>& load : grasp.loads())
       cones_.push_back(
@@ -178,14 +188,14 @@ bool Oracle::quick_grip(std::size_t s, const Vector<3>& x, Answer& answer) const
   cut.rates.assign(found.rates.begin(), found.rates.end());
   for (const double rate : found.rates) cut.rate_sum += rate / times;
   cut.phi = found.fixed - found.y.dot(load.still);
-  answer.value = std::pow(found.value * times, 2);
+  answer.value = squared_grip(found.value * times);
   return true;
 }
 
 Answer Oracle::general_answer(const Vector<3>& x, double target) {
   Answer worst{-1, {}};
+  ++holds;
   for (std::size_t s = 0; s < loads_.size(); ++s) {
-    ++holds;
     Answer answer;
     if (!quick_grip(s, x, answer)) answer = answer_by_interior(s, x, target);
     const bool holdable = answer.value <= most;
@@ -215,7 +225,7 @@ Answer Oracle::answer_by_interior(std::size_t s, const Vector<3>& x, double targ
     cut.rates = proof.rates;
     cut.rate_sum = proof.rate_sum / times;  // F in the oracle's unit
     cut.phi = proof.fixed - proof.y.dot(load.still);
-    if (is_held) value = std::pow(found.value * times, 2);
+    if (is_held) value = squared_grip(found.value * times);
   } else {
     const double size = load.problem.weight;
     const auto& drives = grasp_.driven().drives;
@@ -267,13 +277,13 @@ Answer Oracle::evaluate(const Vector<3>& x, const Aim& aim) {
   if (!cones_.empty()) return general_answer(x, aim.target);
   using Origin = HalfSpace::Origin;
   Answer worst{-1, {}};
+  ++holds;
   for (std::size_t s = 0; s < loads_.size(); ++s) {
     const ScaledLoad& load = loads_[s];
     const Wrench<3> w = load.at(x);
     dual::Point<3> point(load.problem.size);
     const bool is_near = aim.start != nullptr && aim.start->load == s;
     Twist<3> start = is_near ? aim.start->y : dual::cold_start(load.problem, w);
-    ++holds;
     if (aim.proven > 0 &&
         needs_at_least(aim.best / load.unit, aim.proven / load.unit, load.problem, w, start, point))
       return {2 * load.unit * point.value, half_space(point, s, x, Origin::held)};

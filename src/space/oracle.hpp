@@ -126,7 +126,7 @@ class Oracle {
   double least{0};  ///< no unit vector has a lower value: forces add up to the weight
   double most{0};   ///< greater values count as unholdable
   double unit;      ///< the root of a value of 1 [N, or as grip is told]
-  int holds{0};     ///< answers so far
+  int holds{0};     ///< answers so far, each about all loads
   std::vector<Vector<3>> candidates;  ///< postures that may be lone minima
   /// Of motions that no contact resists, and the planes of x that these leave.
   std::vector<HalfSpace> unresisted;

@@ -124,17 +124,28 @@ void check_arc_state(Verdict& verdict, const Path& place, const RealContact& con
                     : n < contact.most - tiny && (contact.least == 0 || n > contact.least + tiny));
 }
 
-std::vector<RealArc> check_arcs(Verdict& verdict, const RealGrasp& grasp,
+EachLoad each_load(const RealGrasp& grasp) {
+  EachLoad grasps;
+  for (const RealLoad& load : grasp.loads) grasps.push_back(with_load(grasp, load));
+  return grasps;
+}
+
+std::size_t check_named_load(Verdict& verdict, const Path& place, const EachLoad& grasps,
+                             const std::optional<std::size_t>& load) {
+  const bool known = grasps.size() == 1 ? !load : load && *load < grasps.size();
+  verdict.check(place / "load", "load is one of the grasp's, told where there are several", known);
+  return known ? load.value_or(0) : 0;
+}
+
+std::vector<RealArc> check_arcs(Verdict& verdict, const Path& list, const EachLoad& grasps,
                                 const std::vector<ArcClaim>& claims, const OptionsClaim& options) {
   std::vector<RealArc> arcs;
   for (std::size_t k = 0; k < claims.size(); ++k) {
     const ArcClaim& claim = claims[k];
     RealArc& arc = arcs.emplace_back();
-    arc = {(Path() / "arcs")[k],
-           claim.from,
-           claim.to,
-           claim.F ? effort_of(*claim.F) : effort_of(claim.V),
-           {}};
+    arc = {list[k], claim.from, claim.to, claim.F ? effort_of(*claim.F) : effort_of(claim.V), {}};
+    arc.load = check_named_load(verdict, arc.place, grasps, claim.load);
+    const RealGrasp& grasp = grasps[arc.load];
     arc.y << claim.y.c0.cast<Real>(), claim.y.cos1.cast<Real>(), claim.y.sin1.cast<Real>();
     arc.rates.resize(grasp.drives.size());
     if (claim.rates.size() == arc.rates.size())

@@ -38,6 +38,10 @@ void check_turn_document(Verdict& verdict, const Grasp<3>& given, const RealGras
 template <int Dim>
 void check_capacity(Verdict& verdict, const RealGrasp& grasp, const CapacityDocument<Dim>& capacity,
                     const Present& present);
+/// Checks what is withstood besides the load.
+template <int Dim>
+void check_shakes(Verdict& verdict, const Grasp<Dim>& given, const RealGrasp& grasp,
+                  const CapacityDocument<Dim>& capacity);
 
 /// Checks that forces hold the object within the force cap [weights], or the proof that none do.
 template <int Dim>

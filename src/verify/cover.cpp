@@ -30,17 +30,24 @@ struct Piece {
 };
 
 /// Nothing is left of it but its ends, which rounding puts somewhere: it proves nothing.
-bool is_narrow(const UnholdableArc& arc) { return arc.to - arc.from <= 2 * end_slack; }
+bool is_narrow(const UnholdableClaim& arc) { return arc.to - arc.from <= 2 * end_slack; }
+
+/// The grasp with the load that cannot be held.
+const RealGrasp& load_of(const EachLoad& grasps, const UnholdableClaim& arc) {
+  const std::size_t load = arc.load.value_or(0);
+  return grasps[load < grasps.size() ? load : 0];
+}
 
 /// In their order from `start`.
-std::vector<Piece> pieces_of(const RealGrasp& grasp, const std::vector<RealArc>& arcs,
-                             const std::vector<UnholdableArc>& unholdable, Real start,
+std::vector<Piece> pieces_of(const EachLoad& grasps, const std::vector<RealArc>& arcs,
+                             const std::vector<UnholdableClaim>& unholdable, Real start,
                              const OptionsClaim& options) {
   const bool of_grip = options.objective == Objective::grip;
   std::vector<Piece> pieces;
   for (const RealArc& arc : arcs) {
     if (arc.is_sliver()) continue;
     const auto at = [&](Real theta) {
+      const RealGrasp& grasp = grasps[arc.load];
       const Vec y = arc.y * harmonics(theta);
       return of_grip ? grip_proof(grasp, y, arc.rates, options.force_cap) : proof(grasp, y, {}, 0);
     };
@@ -49,8 +56,9 @@ std::vector<Piece> pieces_of(const RealGrasp& grasp, const std::vector<RealArc>&
   for (std::size_t k = 0; k < unholdable.size(); ++k) {
     if (is_narrow(unholdable[k])) continue;
     // What is proven of the effort says nothing of the grip.
-    const Vec3 proven =
-        of_grip ? Vec3(-infinity, 0, 0) : proof(grasp, real(unholdable[k].y), {}, 0);
+    const Vec3 proven = of_grip
+                            ? Vec3(-infinity, 0, 0)
+                            : proof(load_of(grasps, unholdable[k]), real(unholdable[k].y), {}, 0);
     pieces.push_back(
         {unholdable_path(k), unholdable[k].from, unholdable[k].to, proven, proven, false});
   }
@@ -118,14 +126,14 @@ class Walk {
 
 }  // namespace
 
-Real check_cover(Verdict& verdict, const RealGrasp& grasp, const std::vector<RealArc>& arcs,
-                 const std::vector<UnholdableArc>& unholdable, const RealDomain& domain,
+Real check_cover(Verdict& verdict, const EachLoad& grasps, const std::vector<RealArc>& arcs,
+                 const std::vector<UnholdableClaim>& unholdable, const RealDomain& domain,
                  Status status, const OptionsClaim& options) {
   Real start = domain.from;
   if (domain.circle && !(arcs.empty() && unholdable.empty()))
     start = arcs.empty() ? unholdable.front().from : arcs.front().from;
   const Real stop = domain.circle ? start + 2 * pi : domain.to;
-  const std::vector<Piece> pieces = pieces_of(grasp, arcs, unholdable, start, options);
+  const std::vector<Piece> pieces = pieces_of(grasps, arcs, unholdable, start, options);
   const bool closed = domain.circle && !pieces.empty();
   Walk walk(verdict, pieces, start, status);
   if (closed)
@@ -140,11 +148,12 @@ Real check_cover(Verdict& verdict, const RealGrasp& grasp, const std::vector<Rea
   return least;
 }
 
-void check_unholdable(Verdict& verdict, const RealGrasp& grasp,
-                      const std::vector<UnholdableArc>& unholdable, Real force_cap) {
-  const Real cap = force_cap * grasp.loads.front().size();
+void check_unholdable(Verdict& verdict, const EachLoad& grasps,
+                      const std::vector<UnholdableClaim>& unholdable, Real force_cap) {
   for (std::size_t k = 0; k < unholdable.size(); ++k) {
     const Path place = unholdable_path(k);
+    const RealGrasp& grasp = grasps[check_named_load(verdict, place, grasps, unholdable[k].load)];
+    const Real cap = force_cap * grasp.loads.front().size();
     const Real width = Real{unholdable[k].to} - unholdable[k].from;
     verdict.check(place, "from_deg is not above to_deg, nor by more than a turn below",
                   width >= 0 && width <= 2 * pi + end_slack);

@@ -13,16 +13,28 @@ struct RealArc {
   Effort value;               ///< V or F
   Mat3 y;                     ///< times harmonics(theta)
   std::vector<Real> rates{};  ///< of grip
+  std::size_t load{0};        ///< against which it is
 
   /// Within rounding of where arcs end; a single posture is not.
   bool is_sliver() const;
 };
 
-/// Checks that the y of each arc gives forces that balance all along it, at an effort of V: then it
-/// also proves that no others have less. Of grip that its forces balance, and that y and the rates
-/// prove their grip.
-std::vector<RealArc> check_arcs(Verdict& verdict, const RealGrasp& grasp,
+/// A grasp with each of its loads alone.
+using EachLoad = std::vector<RealGrasp>;
+EachLoad each_load(const RealGrasp& grasp);
+
+/// Checks that the y of each arc gives forces that balance its load all along it, at an effort of
+/// V: then it also proves that no others have less. Of grip that its forces balance, and that y and
+/// the rates prove their grip.
+std::vector<RealArc> check_arcs(Verdict& verdict, const Path& list, const EachLoad& grasps,
                                 const std::vector<ArcClaim>& arcs, const OptionsClaim& options);
+/// Checks the load that is named where there are several, and returns it.
+std::size_t check_named_load(Verdict& verdict, const Path& place, const EachLoad& grasps,
+                             const std::optional<std::size_t>& load);
+
+/// Checks that along each arc every load is held with no more, by its own curve.
+void check_envelope(Verdict& verdict, const EachLoad& grasps, const std::vector<RealArc>& arcs,
+                    const std::vector<std::vector<RealArc>>& curves, const OptionsClaim& options);
 
 /// Checks an arc of the grip curve.
 void check_grip_arc(Verdict& verdict, const RealGrasp& grasp, const RealArc& arc,
@@ -50,8 +62,9 @@ struct Chain {
   Real to() const { return arcs.back().to; }
 };
 
-/// Checks that the arcs tile the holdable intervals and keep to the domain.
-std::vector<Chain> check_tiling(Verdict& verdict, const std::vector<RealArc>& arcs,
+/// Checks that the arcs tile the holdable intervals, a list, and keep to the domain.
+std::vector<Chain> check_tiling(Verdict& verdict, const Path& list,
+                                const std::vector<RealArc>& arcs,
                                 const std::vector<Interval>& holdable, const RealDomain& domain);
 
 /// An optimum that is claimed, and where.
@@ -75,13 +88,13 @@ void check_complete(Verdict& verdict, const Path& list, const std::vector<RealOp
 
 /// Checks that the y of each unholdable arc proves all its postures. A longer or shorter y is as
 /// good.
-void check_unholdable(Verdict& verdict, const RealGrasp& grasp,
-                      const std::vector<UnholdableArc>& unholdable, Real force_cap);
+void check_unholdable(Verdict& verdict, const EachLoad& grasps,
+                      const std::vector<UnholdableClaim>& unholdable, Real force_cap);
 
 /// Checks that arcs and unholdable arcs cover the domain, if `status` says so, and returns the
 /// least value that is proven there.
-Real check_cover(Verdict& verdict, const RealGrasp& grasp, const std::vector<RealArc>& arcs,
-                 const std::vector<UnholdableArc>& unholdable, const RealDomain& domain,
+Real check_cover(Verdict& verdict, const EachLoad& grasps, const std::vector<RealArc>& arcs,
+                 const std::vector<UnholdableClaim>& unholdable, const RealDomain& domain,
                  Status status, const OptionsClaim& options);
 
 }  // namespace poise::verify

@@ -104,10 +104,14 @@ void check_meeting(Verdict& verdict, const RealGrasp& grasp, const RealOptimum& 
   }
   if (claim.contacts.size() != grasp.contacts.size()) return;
   const Path place = optimum.place / "edges_meet";
-  verdict.check(place, "edges_meet is told of a kink of two slipping contacts, and of no other",
-                claim.edges_meet.has_value() == (slipping && loaded.size() == 2));
+  const std::size_t named = claim.load.value_or(0);
+  const RealLoad& load = grasp.loads[named < grasp.loads.size() ? named : 0];
+  const bool meets = slipping && loaded.size() == 2 && load.still().isZero(0);
+  verdict.check(place,
+                "edges_meet is told of a kink of two slipping contacts against a weight alone, and "
+                "of no other",
+                claim.edges_meet.has_value() == meets);
   if (!claim.edges_meet || loaded.size() != 2) return;
-  const RealLoad& load = grasp.loads.front();
   std::array<Vec, 2> edges;
   for (std::size_t k = 0; k < 2; ++k) edges[k] = real(claim.contacts[loaded[k]].force).normalized();
   const Real sine = std::abs(cross(edges[0], edges[1]));
@@ -118,7 +122,6 @@ void check_meeting(Verdict& verdict, const RealGrasp& grasp, const RealOptimum& 
     verdict.check(place, "edges_meet is on the edges of the cones [of its distance]",
                   std::abs(cross(point - grasp.contacts[loaded[k]].position, edges[k])) / size,
                   1e-9L);
-  if (!load.still().isZero(0)) return;  // which is one more force
   verdict.check(place, "edges_meet is on the vertical through the com [of its distance]",
                 std::abs(cross(point - load.com, real(claim.up))) / size,
                 1e-9L / std::max(sine, Real{1e-6L}));

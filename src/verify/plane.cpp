@@ -20,11 +20,32 @@ struct CheckedCurve {
   std::vector<Chain> chains;
 };
 
-CheckedCurve check_pieces(Verdict& verdict, const RealGrasp& grasp,
-                          const std::vector<ArcClaim>& arcs, const std::vector<Interval>& holdable,
-                          const RealDomain& domain, const OptionsClaim& options) {
-  CheckedCurve curve{check_arcs(verdict, grasp, arcs, options), {}};
-  curve.chains = check_tiling(verdict, curve.arcs, holdable, domain);
+/// @param claim  of a curve, and where it stands
+template <class Claim>
+CheckedCurve check_pieces(Verdict& verdict, const Path& place, const EachLoad& grasps,
+                          const Claim& claim, const RealDomain& domain,
+                          const OptionsClaim& options) {
+  CheckedCurve curve{check_arcs(verdict, place / "arcs", grasps, claim.arcs, options), {}};
+  curve.chains = check_tiling(verdict, place / "holdable_arcs_deg", curve.arcs,
+                              claim.holdable_arcs_deg, domain);
+  return curve;
+}
+
+/// Of several loads with the curves of each.
+template <class Claim>
+CheckedCurve check_pieces(Verdict& verdict, const EachLoad& grasps, const Claim& claim,
+                          const RealDomain& domain) {
+  CheckedCurve curve = check_pieces(verdict, {}, grasps, claim, domain, claim.options);
+  const Path list = Path() / "load_curves";
+  const auto& curves = claim.load_curves;
+  const bool complete = grasps.size() == 1 ? !curves : curves && curves->size() == grasps.size();
+  verdict.check(list, "the curve of each load is told where there are several", complete);
+  if (grasps.size() == 1 || !complete) return curve;
+  std::vector<std::vector<RealArc>> own;
+  for (std::size_t k = 0; k < grasps.size(); ++k)
+    own.push_back(
+        check_pieces(verdict, list[k], {grasps[k]}, (*curves)[k], domain, claim.options).arcs);
+  check_envelope(verdict, grasps, curve.arcs, own, claim.options);
   return curve;
 }
 
@@ -87,8 +108,8 @@ void check_bound(Verdict& verdict, const RealGrasp& grasp, const BestDocument<2>
 void check_curve(Verdict& verdict, const RealGrasp& grasp, const CurveDocument& curve) {
   const OptionsClaim& options = curve.options;
   check_options(verdict, grasp.dim, options, {"domain", "present_deg", "objective"});
-  const auto [arcs, chains] = check_pieces(verdict, grasp, curve.arcs, curve.holdable_arcs_deg,
-                                           domain_of(grasp, options), options);
+  const auto [arcs, chains] =
+      check_pieces(verdict, each_load(grasp), curve, domain_of(grasp, options));
   const Path list = Path() / "optima";
   std::vector<RealOptimum> minima, maxima;
   for (std::size_t k = 0; k < curve.optima.size(); ++k) {
@@ -110,11 +131,11 @@ void check_best(Verdict& verdict, const RealGrasp& grasp, const BestDocument<2>&
   const OptionsClaim& options = best.options;
   check_options(verdict, grasp.dim, options, {"domain", "present_deg", "objective"});
   const RealDomain domain = domain_of(grasp, options);
-  const auto [arcs, chains] =
-      check_pieces(verdict, grasp, best.arcs, best.holdable_arcs_deg, domain, options);
-  check_unholdable(verdict, grasp, best.unholdable_arcs, options.force_cap);
+  const EachLoad grasps = each_load(grasp);
+  const auto [arcs, chains] = check_pieces(verdict, grasps, best, domain);
+  check_unholdable(verdict, grasps, best.unholdable_arcs, options.force_cap);
   const Real proven =
-      check_cover(verdict, grasp, arcs, best.unholdable_arcs, domain, best.status, options);
+      check_cover(verdict, grasps, arcs, best.unholdable_arcs, domain, best.status, options);
   const Path list = Path() / "minima";
   std::vector<RealOptimum> minima;
   for (std::size_t k = 0; k < best.minima.size(); ++k) {

@@ -66,12 +66,13 @@ RealDomain domain_of(const RealGrasp& grasp, Domain domain) {
   return {wedge.to, wedge.from + 2 * pi, false};
 }
 
-std::vector<Chain> check_tiling(Verdict& verdict, const std::vector<RealArc>& arcs,
+std::vector<Chain> check_tiling(Verdict& verdict, const Path& list,
+                                const std::vector<RealArc>& arcs,
                                 const std::vector<Interval>& holdable, const RealDomain& domain) {
   std::vector<Chain> chains;
   std::vector<bool> used(arcs.size());
   for (std::size_t k = 0; k < holdable.size(); ++k) {
-    const Path place = (Path() / "holdable_arcs_deg")[k];
+    const Path place = list[k];
     check_interval(verdict, place, holdable, k);
     const bool whole = Real{holdable[k].to} - holdable[k].from >= full_turn;
     const bool anchored = whole && !arcs.empty();

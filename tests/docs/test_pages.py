@@ -28,6 +28,7 @@ OWN_WORDS = {
     "Harmonic2.slope",
     "InvalidGrasp",
     "LeastFriction.factor",
+    "Load",
     "Objective.effort",
     "Pad",
     "Posture",
@@ -66,6 +67,7 @@ OWN_WORDS = {
     "tangents",
     "up_at",
     "weight_range",
+    "wrench_of",
 }
 
 

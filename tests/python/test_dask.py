@@ -32,7 +32,7 @@ def grasps(count):
         points = rng.normal(size=(3, 3 if k % 4 == 0 else 2))
         points /= np.linalg.norm(points, axis=1)[:, None]
         contacts = [poise.Contact(p, -p, friction=0.7) for p in points]
-        grasp = poise.Grasp(poise.Object(k + 1, 0.1 * points[0]), contacts)
+        grasp = poise.Grasp(poise.Load(k + 1, 0.1 * points[0]), contacts)
         yield json.dumps(poise.to_dict(grasp))
 
 

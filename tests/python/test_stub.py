@@ -91,9 +91,9 @@ class Stub(unittest.TestCase):
 
     def test_names_are_those_of_cpp(self):
         # Settings are keywords, linear algebra is numpy's, words of enumerations are their names.
-        # A hand with its loads is a Grasp, a load an Object.
-        elsewhere = {"CurveSettings", "HoldSettings", "SpatialSettings", "Hand", "Load"}
-        elsewhere |= {"posture_of", "Minimum", "minimum_at", "Best", "Proof", "force_vector"}
+        # A hand with its loads is a Grasp.
+        elsewhere = {"CurveSettings", "HoldSettings", "SpatialSettings", "Hand"}
+        elsewhere |= {"posture_of", "Minimum", "Best", "Proof", "force_vector"}
         # turn() has them all.
         elsewhere |= {"Turn", "turn_to", "orientation_of", "turn_peak", "ways_round"}
         elsewhere |= {"least_peak_way", "TurnSettings", "Reachable"}

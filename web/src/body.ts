@@ -2,7 +2,7 @@
 import { proofOf, stillForce, turningForce, type NotHeld } from './core';
 import type { Picture } from './files';
 import { Canvas, colour, seen, type Eye, type Loaded, type Pose } from './gl';
-import type { Point, Vec } from './grasp';
+import { push, pushOf, type Point, type Vec } from './grasp';
 import { labels, type Arrow, type Finger } from './label';
 import { bodyOf, hit, onSurface, tapered, type Body } from './mesh';
 import type { SpatialModel } from './space';
@@ -40,6 +40,8 @@ export class BodyView {
   private readonly front = node('g', { class: 'passive' });
   private readonly handles = node('g');
   private readonly com = node('g', { class: 'handle com', tabindex: 0, role: 'application' });
+  /** Of the arrow of what pushes the object. */
+  private readonly tip = node('g', { class: 'handle tip', tabindex: 0, role: 'application' }, node('circle', { r: 16, class: 'grab' }));
   private contacts: SVGGElement[] = [];
   private readonly shaft: Loaded;
   private readonly head: Loaded;
@@ -57,7 +59,7 @@ export class BodyView {
     this.canvas = new Canvas(document.createElement('canvas'));
     this.canvas.element.setAttribute('aria-hidden', 'true');
     this.picture = node('svg', { role: 'group', 'aria-label': 'The object as it is held, gravity pointing down' });
-    this.picture.append(this.ground, this.back, this.front, this.handles, this.com);
+    this.picture.append(this.ground, this.back, this.front, this.handles, this.com, this.tip);
     parent.append(this.canvas.element, this.picture);
     this.shaft = this.canvas.loadBody(tapered(1, 1, 0, 1));
     this.head = this.canvas.loadBody(tapered(1, 0, 0, 1));
@@ -73,6 +75,15 @@ export class BodyView {
       return (e) => this.moveCom(grip(e));
     });
     keySteps(this.com, (dx, dy) => this.moveCom(add(model.deciding.com, this.step(dx, dy))));
+    set(this.tip, { 'aria-label': 'Push: arrow keys change it' });
+    draggable(this.tip, (event) => {
+      const perNewton = this.perNewton();
+      const { com } = model.deciding;
+      const grip = this.grip(event, add(com, times(perNewton, pushOf(model.grasp) ?? [0, 0, 0])));
+      return (e) => this.push(times(1 / perNewton, minus(grip(e), com)));
+    });
+    keySteps(this.tip, (dx, dy) =>
+      this.push(add(pushOf(model.grasp) ?? [0, 0, 0], times(1 / this.perNewton(), this.step(dx, dy)))));
   }
 
   /** From the object's frame to the world, in which the middle of the frame is 0. */
@@ -253,8 +264,16 @@ export class BodyView {
         'aria-label': `Contact ${i}, finger ${contact.finger}: arrow keys move it`,
       });
     });
-    const [x, y] = this.screen(this.model.deciding.com);
-    set(this.com, { transform: `translate(${x} ${y})` });
+    const { com } = this.model.deciding;
+    const place = (handle: SVGElement, p: Vec) => set(handle, { transform: `translate(${this.screen(p).join(' ')})` });
+    place(this.com, com);
+    const force = pushOf(this.model.grasp);
+    this.tip.toggleAttribute('hidden', !force);
+    if (force) place(this.tip, add(com, times(this.perNewton(), force)));
+  }
+
+  private push(force: Vec): void {
+    this.model.edit((grasp) => push(grasp, force));
   }
 
   private makeHandles(count: number): void {

@@ -32,6 +32,7 @@ export interface LoadEntry<P> {
   com?: P;
   acceleration?: { up?: number; fixed?: P };
   force?: P;
+  at?: P;
   moment?: number | Vec;
 }
 
@@ -97,4 +98,20 @@ export function ownMassesOf<P>(grasp: { object: { weight: number; com: P }; load
   };
   const first = (grasp.loads ?? [{}]).findIndex((_, k) => !is(k));
   return massesOf(grasp).filter((_, k) => k === first || is(k));
+}
+
+type Loaded<P> = { object: { com: P }; loads?: LoadEntry<P>[] };
+
+/** What pushes the object [N]: the force of the first load that has one. */
+export const pushOf = <P>({ loads }: Loaded<P>): P | undefined => loads?.find(({ force }) => force)?.force;
+
+/** Pushes it with another force. Where nothing does yet all loads are pushed, at the centre of mass. */
+export function push<P extends Point | Vec>(grasp: Loaded<P>, force: P): void {
+  const pushed = grasp.loads?.filter((load) => load.force) ?? [];
+  if (pushed.length > 0) {
+    pushed[0]!.force = force;
+    return;
+  }
+  grasp.loads ??= [{ name: 'pushed' }];
+  for (const load of grasp.loads) Object.assign(load, { force, at: load.com ?? grasp.object.com });
 }

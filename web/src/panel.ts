@@ -1,6 +1,6 @@
 // Numbers to type and to slide, and tables of what they lead to.
 import type { AnyHold, GripUnit, Kind } from './core';
-import { massesOf, ownMassesOf, type Contact, type Vec } from './grasp';
+import { massesOf, ownMassesOf, push, pushOf, type Contact, type LoadEntry, type Vec } from './grasp';
 import { symbol } from './plot';
 import type { SpatialModel } from './space';
 import type { PlanarModel } from './state';
@@ -127,6 +127,17 @@ abstract class Controls<Model extends Held> {
     return html('label', {}, of ? `Its com${of}` : 'Centre of mass', html('span', { class: 'pair' }, ...axes.map(part)), 'm');
   }
 
+  /** The force of what pushes the object. */
+  protected push(axes: string[]): HTMLElement {
+    const grasp = () => this.model.grasp as unknown as { object: { com: Vec }; loads?: LoadEntry<Vec>[] };
+    const now = () => pushOf(grasp()) ?? axes.map(() => 0);
+    const step = stepOf(this.heaviest() || 1);
+    const part = (axis: string, k: number) =>
+      this.field(`Push, ${axis} [N]`, 'number', { step }, () => now()[k],
+        given((value) => this.model.edit(() => push(grasp(), now().map((old, i) => (i === k ? value : old)) as unknown as Vec))));
+    return html('label', {}, 'Push', html('span', { class: 'pair' }, ...axes.map(part)), 'N');
+  }
+
   private contactTable(): HTMLElement {
     const { model, soft } = this;
     const limits = model.grasp.contacts.map((each) => each.max_normal ?? 0);
@@ -194,6 +205,7 @@ export class PlanarControls extends Controls<PlanarModel> {
         this.field('Posture [degrees]', 'number', { step: '1' }, () => model.angle, turn), '°'),
       this.weight('', object),
       this.centre('', model.frame.radius, object as () => { com: readonly number[] }),
+      this.push(['x', 'y']),
     ];
   }
 }
@@ -217,6 +229,7 @@ export class SpatialControls extends Controls<SpatialModel> {
         const of = masses.length > 1 ? ` ${name}` : '';
         return [this.weight(of, mass), this.centre(of, model.frame.radius, mass as () => { com: readonly number[] } | undefined)];
       }).flat(),
+      this.push(['x', 'y', 'z']),
     ];
   }
 }

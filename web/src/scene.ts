@@ -1,6 +1,6 @@
 // The object as it hangs: gravity points down on the screen.
 import { proofOf, stillForce, turningForce, type NotHeld, type Optimum } from './core';
-import type { Point } from './grasp';
+import { push, pushOf, type Point } from './grasp';
 import { labels, type Arrow, type Finger } from './label';
 import { along, nearest, outline } from './shape';
 import type { PlanarModel } from './state';
@@ -43,6 +43,9 @@ export class Scene {
   private readonly com = node('g', { class: 'handle com', tabindex: 0, role: 'application' });
   private contacts: SVGGElement[] = [];
   private readonly handles = node('g');
+  /** Of the arrow of what pushes the object. */
+  private readonly tip = node('g', { class: 'handle tip', tabindex: 0, role: 'application' }, node('circle', { r: 16, class: 'grab' }));
+  private perNewton = 1;
   private now: Placement;
 
   constructor(
@@ -50,7 +53,7 @@ export class Scene {
     private readonly model: PlanarModel,
   ) {
     this.picture = node('svg', { role: 'group', 'aria-label': 'The object as it is held, gravity pointing down' });
-    this.picture.append(this.back, this.body, this.cones, this.front, this.handles, this.com);
+    this.picture.append(this.back, this.body, this.cones, this.front, this.handles, this.com, this.tip);
     parent.prepend(this.picture);
     this.com.append(
       node('circle', { r: 16, class: 'grab' }),
@@ -75,6 +78,20 @@ export class Scene {
     keySteps(this.com, (dx, dy) => {
       const step = times(0.02 * this.model.frame.radius, turned([dx, dy], -this.model.angle));
       this.moveCom(add(this.model.deciding.com, step));
+    });
+
+    set(this.tip, { 'aria-label': 'Push: arrow keys change it' });
+    draggable(this.tip, () => {
+      const { perNewton } = this;
+      return (e) => {
+        const from = this.now.point(this.model.deciding.com);
+        const [x, y] = minus(place(this.picture, e), from);
+        this.push(times(1 / perNewton, turned([x, -y], -this.model.angle)));
+      };
+    });
+    keySteps(this.tip, (dx, dy) => {
+      const step = times(0.05 * Math.abs(turningForce(this.model.deciding) || 1), turned([dx, dy], -this.model.angle));
+      this.push(add(pushOf(this.model.grasp) ?? [0, 0], step));
     });
   }
 
@@ -197,6 +214,18 @@ export class Scene {
     });
   }
 
+  private push(force: Point): void {
+    this.model.edit((grasp) => push(grasp, force));
+  }
+
+  private placeTip(): void {
+    const force = pushOf(this.model.grasp);
+    this.tip.toggleAttribute('hidden', !force);
+    if (!force) return;
+    const [x, y] = add(this.now.point(this.model.deciding.com), this.now.direction(force, this.perNewton));
+    set(this.tip, { transform: `translate(${x} ${y})` });
+  }
+
   private moveCom(to: Point): void {
     this.model.edit(() => {
       this.model.mass.com = this.within(to, 1.15);
@@ -219,6 +248,8 @@ export class Scene {
     const still = stillForce(load) as unknown as Point;
     const largest = Math.max(Math.abs(turning), length(still));
     const perNewton = Math.min((0.5 * size) / largest, (0.95 * size) / Math.max(...forces, 0));
+    this.perNewton = perNewton;
+    this.placeTip();
     const com = this.now.point(load.com);
     const weight: Point = [com[0], com[1] + perNewton * turning];
     const drawn: Node[] = [...this.meeting()];

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import type { Arc, Curve } from '../src/core';
 import { contains, heightOn, onAxis, samples, slope } from '../src/curve';
 import { fileName, fromLink, toLink, yaml } from '../src/files';
-import type { Grasp, PlanarShape, Point } from '../src/grasp';
+import { massesOf, ownMassesOf, push, pushOf, type Grasp, type PlanarGrasp, type PlanarShape, type Point } from '../src/grasp';
 import { alphas, asPaper, paperDisk } from '../src/paper';
 import { along, nearest } from '../src/shape';
 import { dot, length, minus } from '../src/vector';
@@ -76,6 +76,29 @@ test('numbers are written as the command line writes them', () => {
   expect([plain(17.3205), plain(300), plain(0.0012345), plain(0), newtons(9.99999)]).toEqual(['17.32', '300.0', '0.001234', '0', '10.00 N']);
   expect([degrees(-0.001), wrapped(-180), wrapped(540), turn(170, -170)]).toEqual(['0.00°', 180, 180, '20.00° counter-clockwise']);
   expect(list(['a', 'b', 'c'])).toBe('a, b and c');
+});
+
+describe('loads', () => {
+  const plain = (): PlanarGrasp => ({ poise: 1, dimension: 2, object: { weight: 4, com: [0.1, 0] }, contacts: [] });
+  test('take from the object what they do not say, and change it there', () => {
+    const grasp: PlanarGrasp = { ...plain(), loads: [{ name: 'lifted', acceleration: { up: 2 } }, { weight: 9 }, { name: 'again' }] };
+    expect(massesOf(grasp).map(({ name, weight }) => [name, weight])).toEqual([['lifted', 4], ['1', 9], ['again', 4]]);
+    expect(ownMassesOf(grasp).map(({ name }) => name)).toEqual(['lifted', '1']);
+    massesOf(grasp)[2]!.weight = 5;
+    massesOf(grasp)[1]!.weight = 6;
+    expect([grasp.object.weight, grasp.loads![1]!.weight, grasp.loads![0]!.weight]).toEqual([5, 6, undefined]);
+  });
+  test('are made by a push, at the centre of mass', () => {
+    const grasp = plain();
+    expect(pushOf(grasp)).toBeUndefined();
+    push(grasp, [1, 2]);
+    push(grasp, [3, 4]);
+    expect(grasp.loads).toEqual([{ name: 'pushed', force: [3, 4], at: [0.1, 0] }]);
+    const lifted: PlanarGrasp = { ...plain(), loads: [{ name: 'a' }, { com: [0, 1] }] };
+    push<Point>(lifted, [1, 0]);
+    expect(lifted.loads!.map(({ at }) => at)).toEqual([[0.1, 0], [0, 1]]);
+    expect(pushOf(lifted)).toEqual([1, 0]);
+  });
 });
 
 describe('files', () => {

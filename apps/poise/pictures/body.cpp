@@ -105,7 +105,7 @@ Mesh mesh_of(const Solid& solid) {
                     solid);
 }
 
-Body::Body(const Mesh& mesh, const View& view, int width, int height)
+ShadedBody::ShadedBody(const Mesh& mesh, const View& view, int width, int height)
     : view_(view),
       width_(width),
       height_(height),
@@ -156,7 +156,7 @@ Body::Body(const Mesh& mesh, const View& view, int width, int height)
   }
 }
 
-bool Body::hides(const Vector<3>& point, double tolerance) const {
+bool ShadedBody::hides(const Vector<3>& point, double tolerance) const {
   const Vector<2> at = view_.at(point);
   const int x = static_cast<int>(std::floor(at.x())), y = static_cast<int>(std::floor(at.y()));
   if (x < 0 || y < 0 || x >= width_ || y >= height_) return false;
@@ -164,7 +164,7 @@ bool Body::hides(const Vector<3>& point, double tolerance) const {
 }
 
 /// At the border of the body, where something lies before something else, and where it is sharp.
-bool Body::edge(int x, int y) const {
+bool ShadedBody::edge(int x, int y) const {
   const Pixel& here = pixel(x, y);
   for (const auto& [dx, dy] : {std::pair(2, 0), {-2, 0}, {0, 2}, {0, -2}}) {
     if (x + dx < 0 || y + dy < 0 || x + dx >= width_ || y + dy >= height_) continue;
@@ -178,7 +178,7 @@ bool Body::edge(int x, int y) const {
   return false;
 }
 
-std::vector<std::uint32_t> Body::shaded(double opacity) const {
+std::vector<std::uint32_t> ShadedBody::shaded(double opacity) const {
   const int columns = width_ / 2, rows = height_ / 2;
   std::vector<std::uint32_t> image(static_cast<std::size_t>(columns) *
                                    static_cast<std::size_t>(rows));

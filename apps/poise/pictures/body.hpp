@@ -28,9 +28,9 @@ struct View {
 };
 
 /// What is nearest to the eye in each pixel.
-class Body {
+class ShadedBody {
  public:
-  Body(const Mesh& mesh, const View& view, int width, int height);
+  ShadedBody(const Mesh& mesh, const View& view, int width, int height);
 
   /// Whether the body hides a point from the eye.
   bool hides(const Vector<3>& point, double tolerance) const;

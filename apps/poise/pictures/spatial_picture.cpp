@@ -86,7 +86,7 @@ Picture picture_of(const SpatialFile& file, const Grasp<3>& grasp, const Posture
 }
 
 /// Whether the object hides the finger: what is half a cone away from the contact.
-bool hidden(const Picture& picture, const Body& body, const Contact<3>& contact) {
+bool hidden(const Picture& picture, const ShadedBody& body, const Contact<3>& contact) {
   return body.hides(contact.position - 0.5 * picture.cone_length * contact.normal,
                     0.005 * picture.size);
 }
@@ -101,7 +101,7 @@ double best_azimuth(const Picture& picture, const Eigen::Quaterniond& orientatio
     view.centre = picture.load.com;
     view.middle = {pixels / 2.0, pixels / 2.0};
     view.scale = pixels / (4 * picture.size);
-    const Body body(picture.mesh, view, pixels, pixels);
+    const ShadedBody body(picture.mesh, view, pixels, pixels);
     const auto& contacts = picture.grasp.contacts();
     double least = 0, most = 0;  // of the object, to the right
     for (const Vector<3>& vertex : picture.mesh.vertices) {
@@ -361,7 +361,7 @@ void fit(View& view, const Picture& picture) {
   view.scale = std::min(room.x() / all.sizes().x(), room.y() / all.sizes().y());
 }
 
-Body body_in(const View& view, const Picture& picture) {
+ShadedBody body_in(const View& view, const Picture& picture) {
   View fine = view;
   fine.scale *= per_point;
   fine.middle *= per_point;
@@ -370,7 +370,7 @@ Body body_in(const View& view, const Picture& picture) {
 }
 
 /// The object between the contacts behind it and those before it, and the vertical through its com.
-void draw_held_object(Canvas& canvas, const View& view, const Picture& picture, const Body& body) {
+void draw_held_object(Canvas& canvas, const View& view, const Picture& picture, const ShadedBody& body) {
   std::vector<Contact<3>> contacts = picture.grasp.contacts();  // from behind to the front
   std::sort(contacts.begin(), contacts.end(), [&](const Contact<3>& a, const Contact<3>& b) {
     return view.nearness(a.position) < view.nearness(b.position);
@@ -423,7 +423,7 @@ void draw_posture(const SpatialFile& file, const Grasp<3>& grasp, const Posture<
   const Eigen::Quaterniond orientation = orientation_of(posture.up);
   View view = view_from(best_azimuth(picture, orientation), orientation);
   fit(view, picture);
-  const Body body = body_in(view, picture);
+  const ShadedBody body = body_in(view, picture);
   for (Push& push : picture.pushes)
     push.hidden = hidden(picture, body, grasp.contacts()[push.contact]);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "tables/parts.hpp"
@@ -144,6 +145,32 @@ std::string command_text(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
          (unit == GripUnit::part_of_max ? ")" : ": " + plain(most) + " " + to_string(unit) + ")");
 }
 
+/// The acceleration that is withstood besides the load.
+template <int Dim>
+std::string shake_text(const Shake<Dim>& found) {
+  if (!found.holdable) return "nothing: the posture itself is not held";
+  const auto text = [](double acceleration) {
+    return fmt::format("{} m/s² ({} g)", plain(acceleration), plain(acceleration / standard_gravity));
+  };
+  if (std::isinf(found.acceleration)) return "any acceleration";
+  const std::string open = found.proven ? ""
+                           : std::isinf(found.bound)
+                               ? "; that it is no more is not proven"
+                               : "; that it is no more is proven only of more than " + text(found.bound);
+  return text(found.acceleration) + " in any direction, weakest along " +
+         vector_text(found.direction, 2) + open;
+}
+
+template <int Dim>
+std::string tilt_text(const Tilting<Dim>& found) {
+  if (!found.holdable) return "nothing: the posture itself is not held";
+  if (found.angle >= std::numbers::pi) return "any way up";
+  return fmt::format("{}° in any direction{}", plain(found.angle * 180 / std::numbers::pi),
+                     found.proven ? ""
+                                  : fmt::format("; that it is no more is proven only of more than {}°",
+                                                plain(found.bound * 180 / std::numbers::pi)));
+}
+
 /// One posture, against all loads: what decides is the load that leaves least.
 template <int Dim>
 std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
@@ -184,6 +211,12 @@ std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                                       : newtons(force(hardest)) + ", ";
   table.add({grips ? "grip to command" : "force to command",
              command + on_friction + load_text(grasp, hardest.load)});
+  const CapacityAt<Dim>& shaky =
+      most(loads, [](const CapacityAt<Dim>& at) { return -at.shake.acceleration; });
+  const CapacityAt<Dim>& tilty =
+      most(loads, [](const CapacityAt<Dim>& at) { return -at.tilting.angle; });
+  table.add({"shake", shake_text(shaky.shake) + load_text(grasp, shaky.load)});
+  table.add({"tilt", tilt_text(tilty.tilting) + load_text(grasp, tilty.load)});
   return heading(place_text(first.up) + which_text(first.posture), style) + table.text(style) +
          why_no_more(grasp, range);
 }

@@ -77,8 +77,10 @@ std::string arcs_table(const Grasp<2>& grasp, const PostureCurve& curve, const S
   constexpr std::size_t most_columns = 8;
   const std::size_t contacts = grasp.contacts().size();
   const bool is_grip = curve.objective == Objective::grip;
+  const bool several = grasp.loads().size() > 1;
   std::vector<std::string> headings{"from", "to", is_grip ? "grip" : "force norm [N]",
                                     is_grip ? "to" : "to [N]"};
+  if (several) headings.emplace_back("<load");
   if (!is_grip && contacts <= most_columns)
     for (std::size_t i = 0; i < contacts; ++i) headings.push_back("<" + grasp.contacts()[i].finger);
   Table table(headings);
@@ -93,6 +95,7 @@ std::string arcs_table(const Grasp<2>& grasp, const PostureCurve& curve, const S
   for (const Arc& arc : curve.arcs) {
     std::vector<std::string> row{degrees_text(arc.from), degrees_text(arc.to), value(arc, arc.from),
                                  value(arc, arc.to)};
+    if (several) row.push_back(load_name(grasp, arc.load));
     if (!is_grip && contacts <= most_columns)
       for (std::size_t i = 0; i < contacts; ++i) {
         const ArcState& state = curve.states[arc.first_state + i];

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Union
 import numpy as np
 
 from . import _core
-from ._errors import FileError, InvalidGrasp
+from ._errors import FileError
 from ._types import (
     Box,
     Contact,
@@ -20,8 +20,8 @@ from ._types import (
     Domain,
     Ellipse,
     Ellipsoid,
+    Load,
     MeshShape,
-    Object,
     Objective,
     Polygon,
     Shape,
@@ -39,8 +39,7 @@ Path = Union[str, "os.PathLike[str]"]
 class GraspFile:
     """What a grasp file says. All in SI units and in the object frame; normals point inwards."""
 
-    #: In space also a list: its scenarios, which are what it may be.
-    object: Union[Object, Sequence[Object]]
+    loads: Sequence[Load]  #: at least one
     contacts: Sequence[Contact]
     name: str = ""
     safety: float = 1.0  #: every friction and torsion is divided by it
@@ -57,20 +56,8 @@ class GraspFile:
     fingers: Optional[Dict[str, Dict[str, Any]]] = None  #: closing and max_force, by label
 
     def grasp(self) -> _core.Grasp:
-        """The grasp, checked and prepared. Raises InvalidGrasp where there are scenarios."""
-        if not isinstance(self.object, Object):
-            raise InvalidGrasp("object", "has scenarios, ask for grasps()")
-        return _core.Grasp(
-            self.object, self.contacts, self.safety, self.drives, self.fingers
-        )
-
-    def grasps(self) -> List[_core.Grasp]:
-        """The grasp of each scenario; of one where there are none."""
-        scenarios = [self.object] if isinstance(self.object, Object) else self.object
-        return [
-            _core.Grasp(each, self.contacts, self.safety, self.drives, self.fingers)
-            for each in scenarios
-        ]
+        """The grasp with all loads, checked and prepared. Raises InvalidGrasp."""
+        return _core.Grasp(self.loads, self.contacts, self.safety, self.drives, self.fingers)
 
 
 def load(file: Path) -> GraspFile:
@@ -102,7 +89,7 @@ def to_dict(grasp: Union[GraspFile, _core.Grasp]) -> Dict[str, Any]:
     file = (
         grasp
         if isinstance(grasp, GraspFile)
-        else GraspFile(grasp.object, grasp.contacts)
+        else GraspFile(grasp.loads, grasp.contacts)
     )
     if not isinstance(grasp, GraspFile):
         file.drives, file.fingers = grasp.mechanism
@@ -122,10 +109,11 @@ def to_dict(grasp: Union[GraspFile, _core.Grasp]) -> Dict[str, Any]:
     if file.tilt is not None:
         tilt = {"from": file.tilt.from_.tolist(), "max_deg": math.degrees(file.tilt.most)}
         values["tilt"] = tilt
-    if isinstance(file.object, Object):
-        values["object"] = _object(file.object)
-    else:
-        values["object"] = {"scenarios": [_object(each) for each in file.object]}
+    first = file.loads[0]
+    values["object"] = {"weight": first.weight, "com": first.com.tolist()}
+    loads = [_load(load, first) for load in file.loads]
+    if loads != [{}]:
+        values["loads"] = loads
     if file.shape is not None:
         values["object"]["shape"] = _shape(file.shape)
     values["contacts"] = [_contact(contact) for contact in file.contacts]
@@ -136,8 +124,28 @@ def to_dict(grasp: Union[GraspFile, _core.Grasp]) -> Dict[str, Any]:
     return values
 
 
-def _object(object: Object) -> Dict[str, Any]:
-    return {"weight": object.weight, "com": object.com.tolist()}
+def _load(load: Load, first: Load) -> Dict[str, Any]:
+    """What it has that the object of the first one has not."""
+    values: Dict[str, Any] = {}
+    if load.name:
+        values["name"] = load.name
+    if load.weight != first.weight:
+        values["weight"] = load.weight
+    if not np.array_equal(load.com, first.com):
+        values["com"] = load.com.tolist()
+    acceleration: Dict[str, Any] = {}
+    if load.lift != 0:
+        acceleration["up"] = load.lift
+    if load.acceleration.any():
+        acceleration["fixed"] = load.acceleration.tolist()
+    if acceleration:
+        values["acceleration"] = acceleration
+    if load.fixed.any():
+        acting = 0 - load.fixed  # not -0
+        size = len(load.com)
+        values["force"] = acting[:size].tolist()
+        values["moment"] = acting[2].item() if size == 2 else acting[size:].tolist()
+    return values
 
 
 def _shape(shape: Shape) -> Dict[str, Any]:

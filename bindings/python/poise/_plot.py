@@ -20,16 +20,16 @@ class Plot:
     A posture curve, or a grasp in the plane: over the angle [degrees]. Each arc is drawn from its
     formula, from end to end; unholdable postures are grey, minima are marked with their kind.
 
-    A grasp in space, or a list of scenarios: on the sphere of postures, seen from both ends of the
-    object's z axis, in maps of equal area. Colours end at ten times the least norm; unholdable
-    postures are hatched. The minima of best are marked, without it those of best_posture.
+    A grasp in space: on the sphere of postures, seen from both ends of the object's z axis, in maps
+    of equal area. Colours end at ten times the least norm; unholdable postures are hatched. The
+    minima of best are marked, without it those of best_posture.
 
     plot.turn draws a turn.
     """
 
     def __call__(
         self,
-        what: Union[_core.PostureCurve, _core.Grasp, Sequence[_core.Grasp]],
+        what: Union[_core.PostureCurve, _core.Grasp],
         axes: Optional[Axes] = None,
         *,
         best: Optional[_core.BestSpatialPosture] = None,
@@ -37,10 +37,9 @@ class Plot:
         axes = axes or _new_axes()
         if isinstance(what, _core.PostureCurve):
             return _plot_curve(what, axes)
-        grasps = [what] if isinstance(what, _core.Grasp) else list(what)
-        if len(grasps) == 1 and grasps[0].dimension == 2:
-            return _plot_curve(_core.posture_curve(grasps[0]), axes)
-        return _plot_sphere(grasps, best, axes)
+        if what.dimension == 2:
+            return _plot_curve(_core.posture_curve(what), axes)
+        return _plot_sphere(what, best, axes)
 
     def turn(
         self, turn: Union[_core.PlanarTurn, _core.SpatialTurn], axes: Optional[Axes] = None
@@ -324,13 +323,13 @@ def _on_map(up: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _plot_sphere(
-    grasps: Sequence[_core.Grasp], best: Optional[_core.BestSpatialPosture], axes: Axes
+    grasp: _core.Grasp, best: Optional[_core.BestSpatialPosture], axes: Axes
 ) -> Axes:
     from matplotlib.colors import LogNorm
     from matplotlib.patches import Circle
 
     if best is None:
-        answer = _core.best_posture(list(grasps))
+        answer = _core.best_posture(grasp)
         assert isinstance(answer, _core.BestSpatialPosture)
         best = answer
 
@@ -345,7 +344,7 @@ def _plot_sphere(
     norms = []
     for sign in (1, -1):
         ups = np.column_stack([sign * x.ravel(), y.ravel(), sign * z.ravel()])
-        effort = np.max([_core.hold_many(grasp, ups).effort for grasp in grasps], axis=0)
+        effort = _core.hold_many(grasp, ups).effort
         norms.append(np.sqrt(effort).reshape(pixels, pixels))
     finite = np.array(norms)[np.isfinite(norms)]
     known = finite if best.best is None else np.append(finite, np.sqrt(best.best.effort))

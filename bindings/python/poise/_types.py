@@ -71,19 +71,49 @@ def _vector(value: ArrayLike) -> NDArray[np.float64]:
     return np.array(value, dtype=float)
 
 
-class Object:
-    """A rigid body of which only the weight and the centre of mass matter.
+class Load:
+    """A weight through a centre of mass, the accelerations of the object, and a fixed wrench.
 
-    weight: [N], > 0
+    weight: [N], >= 0; above 0 where nothing else acts
     com: centre of mass (2,) or (3,) [m], object frame
+    fixed: what the contacts must supply besides, about the object frame's origin, whatever the
+        posture: force [N], moment [N m], (3,) or (6,), object frame. A tool that pushes the object
+        with a force F at a point p asks for -wrench_of(F, p); None: nothing
+    lift: acceleration of the object against gravity [m/s^2]
+    acceleration: of the com, in a fixed direction of the object frame (2,) or (3,) [m/s^2]; None:
+        none
+    name: what people call it
     """
 
-    def __init__(self, weight: float = 1.0, com: ArrayLike = (0.0, 0.0)) -> None:
+    def __init__(
+        self,
+        weight: float = 1.0,
+        com: ArrayLike = (0.0, 0.0),
+        *,
+        fixed: ArrayLike | None = None,
+        lift: float = 0.0,
+        acceleration: ArrayLike | None = None,
+        name: str = "",
+    ) -> None:
         self.weight = float(weight)
         self.com = _vector(com)
+        size = self.com.size
+        self.fixed = np.zeros(3 if size == 2 else 6) if fixed is None else _vector(fixed)
+        self.lift = float(lift)
+        self.acceleration = np.zeros(size) if acceleration is None else _vector(acceleration)
+        self.name = name
 
     def __repr__(self) -> str:
-        return f"Object(weight={self.weight!r}, com={self.com.tolist()})"
+        words = [f"weight={self.weight!r}", f"com={self.com.tolist()}"]
+        if self.fixed.any():
+            words.append(f"fixed={self.fixed.tolist()}")
+        if self.lift != 0:
+            words.append(f"lift={self.lift!r}")
+        if self.acceleration.any():
+            words.append(f"acceleration={self.acceleration.tolist()}")
+        if self.name:
+            words.append(f"name={self.name!r}")
+        return f"Load({', '.join(words)})"
 
 
 class Pad:

@@ -1,0 +1,274 @@
+// What is withstood besides the load: docs/certificate.md, "capacity".
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "ask/document.hpp"
+#include "verify/checks.hpp"
+#include "verify/trig.hpp"
+
+namespace poise::verify {
+namespace {
+
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
+constexpr Real pi = std::numbers::pi_v<Real>;
+constexpr Real follows = 1e-6L;  ///< of a bound, from its dual
+constexpr Real of_hull = 1e-8L;  ///< of what points in a hull reach, from their digits
+constexpr Real gap = 1e-3L, little = 1e-8L, little_angle = 0.01L * pi / 180;
+/// Beyond this part of the force cap [g] an acceleration is infinite.
+constexpr Real part_of_cap = 0.01L;
+
+/// n . x <= b.
+template <int Dim>
+struct Side {
+  Eigen::Matrix<Real, Dim, 1> n;
+  Real b;
+};
+
+/// Calls visit(side) for the half-spaces of the hull of points: those by any Dim of them on whose
+/// one side all others lie.
+template <int Dim, class Visit>
+void for_each_side(const std::vector<Eigen::Matrix<Real, Dim, 1>>& points, const Visit& visit) {
+  using Point = Eigen::Matrix<Real, Dim, 1>;
+  Real size = 0;
+  for (const Point& x : points) size = std::max(size, x.norm());
+  const auto look = [&](Point n, const Point& at) {
+    if (!(n.norm() > 0)) return;
+    n.normalize();
+    for (const Real sign : {Real{1}, Real{-1}}) {
+      const Real b = sign * n.dot(at) + 1e-13L * size;
+      if (std::all_of(points.begin(), points.end(),
+                      [&](const Point& x) { return sign * n.dot(x) <= b; }))
+        visit(Side<Dim>{sign * n, b});
+    }
+  };
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size(); ++j) {
+      const Point along = points[j] - points[i];
+      if constexpr (Dim == 2)
+        look({along.y(), -along.x()}, points[i]);
+      else
+        for (std::size_t k = j + 1; k < points.size(); ++k)
+          look(along.cross(points[k] - points[i]), points[i]);
+    }
+}
+
+template <int Dim>
+std::vector<Eigen::Matrix<Real, Dim, 1>> real_points(const std::vector<Vector<Dim>>& held) {
+  std::vector<Eigen::Matrix<Real, Dim, 1>> points;
+  for (const Vector<Dim>& x : held) points.push_back(x.template cast<Real>());
+  return points;
+}
+
+/// Of the half-space n . x <= b in which y leaves the vectors x that are held, each x adding
+/// `gain` x through the com to the load.
+struct Left {
+  Vec n;
+  Real b{0};
+};
+template <int Dim>
+Left left_by(const RealGrasp& grasp, const Vec& up, Real gain, const ShakeProofClaim<Dim>& proof,
+             const std::vector<Real>& rates, Real cap) {
+  const RealLoad& load = grasp.loads.front();
+  const Vec y = real(proof.y);
+  const WeightBound bound = weight_bound(grasp, load, up, y, rates, cap);
+  const Vec v = gain * velocity(y, load.com);
+  const Real speed = v.norm(), rest = bound.fixed - load.weight * bound.gain;
+  return speed > 0 ? Left{v / speed, rest / speed} : Left{Vec::Zero(Dim), rest};
+}
+
+/// What one load is checked with in one posture.
+template <int Dim>
+class Shaking {
+ public:
+  Shaking(Verdict& verdict, const Grasp<Dim>& given, const RealGrasp& grasp, std::size_t load,
+          const CapacityClaim<Dim>& claim, Real cap)
+      : verdict_(verdict),
+        one_(given.loads()[load], given.contacts(), 1, given.mechanism()),
+        real_(with_load(grasp, grasp.loads[load])),
+        load_(real_.loads.front()),
+        up_(real(claim.up)),
+        claim_(claim),
+        cap_(cap) {}
+
+  void check(const Path& place) {
+    check_shake(place / "shake");
+    check_tilt(place / "tilt");
+  }
+
+ private:
+  void check_shake(const Path& place) {
+    const ShakeClaim<Dim>& claim = claim_.shake;
+    const Real far = part_of_cap * cap_ * standard_gravity;
+    const Real found = claim.acceleration ? Real{*claim.acceleration} : infinity;
+    const Real bound = claim.bound ? Real{*claim.bound} : infinity;
+    check_sides(place, found, bound, gap * found + little, claim.proven);
+    const auto rates = real_rates(verdict_, place / "proof" / "rates", real_, claim.proof.rates);
+    if (!rates) return;
+    const Left left =
+        left_by(real_, up_, load_.weight / standard_gravity, claim.proof, *rates, cap_);
+    verdict_.check(place / "direction", "there is a direction where there is a bound above 0",
+                   claim.direction.has_value() || !claim.bound || bound == 0);
+    if (claim.direction) {
+      verdict_.check(place / "direction", "direction is that of the dual",
+                     left.n.isZero(0) ? 1 : (real(*claim.direction) - left.n).norm(), 1e-9L);
+      verdict_.check(place / "bound", "no acceleration beyond the bound is held, by the dual",
+                     std::abs(std::max(left.b, Real{0}) - bound),
+                     follows * (bound + standard_gravity));
+    } else {
+      check_unheld(place, found == 0 && bound == 0, left, claim.proven);
+    }
+    if (found == 0) return;
+    if (load_.weight == 0) return check_held(place, Vector<Dim>::Zero(), claim_.up);
+    check_reach(
+        place, std::min(found, far), [](const Side<Dim>& side) { return side.b; },
+        claim.proof.held);
+    for (std::size_t k = 0; k < claim.proof.held.size(); ++k)
+      check_held((place / "proof" / "held")[k], claim.proof.held[k], claim_.up);
+  }
+
+  void check_tilt(const Path& place) {
+    const TiltClaim<Dim>& claim = claim_.tilt;
+    const Real found = claim_.tilted, bound = claim.bound;
+    check_sides(place, found, bound, gap * found + little_angle, claim.proven);
+    const auto rates = real_rates(verdict_, place / "proof" / "rates", real_, claim.proof.rates);
+    if (!rates) return;
+    const Left left = left_by(real_, up_, load_.turning(), claim.proof, *rates, cap_);
+    if (bound == 0) {
+      check_unheld(place, found == 0, left, claim.proven);
+    } else if (bound < pi - follows) {
+      check_weakest(place / "weakest", claim.weakest, left, bound);
+      verdict_.check(place / "bound_deg", "a posture so far away is not held, by the dual [rad]",
+                     std::abs(angle_of(left.n, left.b) - bound), follows);
+    }
+    if (found == 0) return;
+    if (load_.turning() == 0) return check_held(place, Vector<Dim>::Zero(), claim_.up);
+    check_reach(
+        place, found, [&](const Side<Dim>& side) { return angle_of(Vec(side.n), side.b); },
+        from_up(claim.proof.held));
+    for (std::size_t k = 0; k < claim.proof.held.size(); ++k)
+      check_held((place / "proof" / "held")[k], Vector<Dim>::Zero(), claim.proof.held[k]);
+  }
+
+  /// How far the posture may be tilted in n . (x - up) <= b; infinite where it may be turned over.
+  Real angle_of(const Vec& n, Real b) const {
+    if (n.isZero(0)) return infinity;
+    const Real along = n.dot(up_), height = along + b;
+    if (height >= 1) return infinity;
+    const Real to = std::atan2((n - along * up_).norm(), along);
+    return std::max(to - std::acos(std::max(height, Real{-1})), Real{0});
+  }
+
+  std::vector<Vector<Dim>> from_up(const std::vector<Vector<Dim>>& held) const {
+    std::vector<Vector<Dim>> moved;
+    for (const Vector<Dim>& x : held) moved.push_back(x - claim_.up);
+    return moved;
+  }
+
+  void check_sides(const Path& place, Real found, Real bound, Real wanted,
+                   const std::optional<bool>& proven) {
+    verdict_.check(place / "proven", "proven is told where it is false", !proven.value_or(false));
+    verdict_.check(place / "bound", "what is withstood is not above the bound",
+                   found == bound ? 0 : found - bound, found < infinity ? of_hull * found : 0);
+    if (proven) {
+      verdict_.check(place / "proven", "proven is false only where the gap is open",
+                     found == bound || bound - found > wanted / 2);
+      verdict_.unchecked(place, "it is said that more may be withstood, up to the bound");
+    } else {
+      verdict_.check(place / "bound", "what is withstood is the bound, but for the gap",
+                     found == bound ? 0 : bound - found, wanted * (1 + of_hull));
+    }
+  }
+
+  /// The posture at the bound, on the plane of the half-space.
+  void check_weakest(const Path& place, const std::optional<Vector<Dim>>& claim, const Left& left,
+                     Real bound) {
+    verdict_.check(place, "there is a weakest posture where there is a bound", claim.has_value());
+    if (!claim) return;
+    const Vec weakest = real(*claim);
+    const Real along = weakest.dot(up_);
+    verdict_.check(place, "it is so far away from the posture [rad]",
+                   std::abs(std::atan2((weakest - along * up_).norm(), along) - bound) +
+                       std::abs(weakest.norm() - 1),
+                   follows);
+    verdict_.check(place, "it is at the border of what the dual leaves",
+                   std::abs(left.n.dot(weakest - up_) - left.b), follows);
+  }
+
+  void check_unheld(const Path& place, bool nothing, const Left& left,
+                    const std::optional<bool>& proven) {
+    if (!nothing || proven) return;
+    verdict_.check(place / "proof", "the posture itself is not held, by the dual", left.b < 0);
+  }
+
+  /// The hull of what is held, from the posture.
+  template <class Reach>
+  void check_reach(const Path& place, Real claimed, const Reach& reach,
+                   const std::vector<Vector<Dim>>& held) {
+    const auto points = real_points<Dim>(held);
+    Real least = infinity;
+    std::size_t sides = 0;
+    for_each_side<Dim>(points, [&](const Side<Dim>& side) {
+      ++sides;
+      least = std::min(least, side.b > 0 ? reach(side) : Real{0});
+    });
+    verdict_.check(place / "proof" / "held", "the hull of what is held has a size", sides > Dim);
+    if (claimed < infinity)
+      verdict_.check(place, "it contains what is withstood", claimed - least, of_hull * claimed);
+  }
+
+  /// Whoever finds forces, they are checked like a claim.
+  void check_held(const Path& place, const Vector<Dim>& acceleration, const Vector<Dim>& x) {
+    Load<Dim> load = one_.loads().front();
+    load.acceleration += acceleration;
+    if (const double length = x.norm(); load.turning() != 0 && acceleration.isZero(0)) {
+      // Another vector in place of up is another lift.
+      load.lift = length * (standard_gravity + load.lift) - standard_gravity;
+    }
+    const Vector<Dim> up = x.norm() > 0 ? Vector<Dim>(x.normalized()) : claim_.up;
+    const Grasp<Dim> shaken(load, one_.contacts(), 1, one_.mechanism());
+    HoldAnswer<Dim> answer;
+    answer.settings = {static_cast<double>(cap_), Objective::effort};
+    try {
+      answer.posture = posture_at(shaken, up, answer.settings);
+    } catch (const InvalidGrasp&) {
+      return verdict_.check(place, "it can be asked for", false);
+    }
+    if (!answer.posture.holdable() && !answer.posture.hold().proven)
+      return verdict_.unchecked(place, "neither forces for it were found, nor that there are none");
+    const HoldClaim<Dim> hold = claims_of(shaken, answer);
+    Verdict own;
+    if (hold.holdable) check_hold<Dim>(own, place, real_grasp(shaken), hold, cap_);
+    verdict_.check(place, "it is held: forces found for it are right",
+                   hold.holdable && own.confirmed());
+  }
+
+  Verdict& verdict_;
+  Grasp<Dim> one_;
+  RealGrasp real_;
+  const RealLoad& load_;
+  Vec up_;
+  const CapacityClaim<Dim>& claim_;
+  Real cap_;
+};
+
+}  // namespace
+
+template <int Dim>
+void check_shakes(Verdict& verdict, const Grasp<Dim>& given, const RealGrasp& grasp,
+                  const CapacityDocument<Dim>& capacity) {
+  for (std::size_t k = 0; k < capacity.capacities.size(); ++k) {
+    const CapacityClaim<Dim>& claim = capacity.capacities[k];
+    const std::size_t load = claim.load.value_or(0);
+    if (load >= given.loads().size()) continue;  // refused already
+    Shaking<Dim>(verdict, given, grasp, load, claim, capacity.options.force_cap)
+        .check((Path() / "capacities")[k]);
+  }
+}
+
+template void check_shakes(Verdict&, const Grasp<2>&, const RealGrasp&, const CapacityDocument<2>&);
+template void check_shakes(Verdict&, const Grasp<3>&, const RealGrasp&, const CapacityDocument<3>&);
+
+}  // namespace poise::verify
