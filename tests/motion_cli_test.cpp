@@ -1,7 +1,9 @@
 // poise motion.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "command_line.hpp"
@@ -71,7 +73,9 @@ TEST_F(Motions, ALiftTakesTheClosedForm) {
   const std::string csv = contents(folder() / "out.csv");
   EXPECT_EQ(csv.substr(0, 24), "t,grip,lower_bound,held\n");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 102);
-  EXPECT_NE(contents(folder() / "out.svg").find("</svg>"), std::string::npos);
+  const std::string svg = contents(folder() / "out.svg");
+  EXPECT_NE(svg.find("</svg>"), std::string::npos);
+  EXPECT_GT(std::count(svg.begin(), svg.end(), 'L'), 100);  // a point for each pose
 }
 
 TEST_F(Motions, SlipWhereTheJawGivesNoMore) {

@@ -59,9 +59,10 @@ TEST_F(Trajectories, AreReadByTheNamesOfTheirColumns) {
 TEST_F(Trajectories, SayWhatIsWrongByRowAndColumn) {
   EXPECT_EQ(problem(header + "0,0,0,0,1,0,0,0\n0,0,0,0,1,0,0,0\n"),
             ":3:1: row 2, column t: is 0, must be above that of the row before, 0");
-  EXPECT_EQ(problem(header + "0,0,0,0,1,0,0,0\n1,0,0,0,30,0,45,0\n"),
-            ":3:9: row 2, column qw: begins a quaternion of length 54.083269132, must be 1: are these "
-            "angles in degrees?");
+  EXPECT_EQ(
+      problem(header + "0,0,0,0,1,0,0,0\n1,0,0,0,30,0,45,0\n"),
+      ":3:9: row 2, column qw: begins a quaternion of length 54.083269132, must be 1: are these "
+      "angles in degrees?");
   EXPECT_EQ(problem(header + "0,0,0,0,0.5,0,0,0\n"),
             ":2:9: row 1, column qw: begins a quaternion of length 0.5, must be 1");
   EXPECT_EQ(problem(header + "0,0,zero,0,1,0,0,0\n"),

@@ -1429,7 +1429,7 @@ class Motions(unittest.TestCase):
             for x, finger in [(-0.04, "left"), (0.04, "right")]
         ]
         self.grasp = poise.Grasp(
-            poise.Object(self.mass * poise.standard_gravity, [0, 0, 0]),
+            poise.Load(self.mass * poise.standard_gravity, [0, 0, 0]),
             jaw,
             1,
             "coupled",

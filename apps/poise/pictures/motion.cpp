@@ -36,7 +36,7 @@ std::vector<std::vector<Vector<2>>> lines(const MotionReport& report) {
     const auto last = needs.begin() + static_cast<std::ptrdiff_t>(std::min(from + each, n));
     const auto [low, high] = std::minmax_element(
         first, last, [](const auto& a, const auto& b) { return a.value < b.value; });
-    const auto [one, other] = std::minmax(low - needs.begin(), high - needs.begin());
+    const auto [one, other] = std::minmax({low - needs.begin(), high - needs.begin()});
     add(static_cast<std::size_t>(one));
     if (other != one) add(static_cast<std::size_t>(other));
   }
