@@ -217,7 +217,8 @@ class Shaking {
     });
     verdict_.check(place / "proof" / "held", "the hull of what is held has a size", sides > Dim);
     if (claimed < infinity)
-      verdict_.check(place, "it contains what is withstood", claimed - least, of_hull * claimed);
+      verdict_.check(place, "it contains what is withstood", claimed - least,
+                     of_hull * claimed + 1e-9L);
   }
 
   /// Whoever finds forces, they are checked like a claim.
