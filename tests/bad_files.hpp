@@ -858,7 +858,7 @@ inline const std::vector<BadFile> bad_files{
      "loads: [{weight: 0}]\n"
      "contacts:\n"
      "  - {position: [1, 0, 0], normal: [-1, 0, 0], friction: 1}\n",
-     "3:18: object.weight: is 0, must be above 0 where nothing else acts"},
+     "4:18: loads[0].weight: is 0, must be above 0 where nothing else acts"},
     {"a load with a shape",
      "poise: 1\n"
      "dimension: 3\n"

@@ -286,7 +286,7 @@ TEST_F(CommandLine, WeighsSeveralLoadsInThePlane) {
   // Beside a weight that needs more where the fingers are level.
   write("both.yaml",
         "poise: 1\ndimension: 2\nobject: {weight: 10, com: [0, 0]}\n"
-        "loads: [{name: carried}, {name: pushed, weight: 0, force: [0, 5], moment: 0.06}]\n" +
+        "loads: [{name: carried}, {name: pushed, weight: 0, force: [0, 8.5], moment: 0.06}]\n" +
             contacts);
   const Json curve = json("curve both.yaml");
   EXPECT_EQ(curve["load_curves"].size(), 2U);

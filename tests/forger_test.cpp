@@ -570,6 +570,12 @@ std::optional<BestAnswer<Dim>> false_best(const Grasp<Dim>& grasp) {
   return answer;
 }
 
+/// The same contacts with the first load alone.
+template <int Dim>
+Grasp<Dim> with_first(const Grasp<Dim>& grasp) {
+  return {grasp.loads().front(), grasp.contacts(), 1, grasp.mechanism()};
+}
+
 /// A greatest weight, or a least friction, that is none; or nothing.
 template <int Dim>
 std::optional<CapacityAnswer<Dim>> false_capacity(const Grasp<Dim>& grasp) {
@@ -600,7 +606,8 @@ std::optional<CapacityAnswer<Dim>> false_capacity(const Grasp<Dim>& grasp) {
   }
   CapacityAnswer<Dim> answer;
   answer.option.up.assign(up.begin(), up.end());
-  answer.capacities = {{"given", up, 0, capacity}};
+  answer.capacities = {
+      {"given", up, 0, capacity, shake(with_first(grasp), up), tilting(with_first(grasp), up)}};
   return answer;
 }
 

@@ -27,7 +27,7 @@ Verdict check_hold(const AnyGrasp& any, const AnyHold& hold, const Eigen::Vector
                    std::optional<std::size_t> load, double force_cap) {
   return each(any, hold, [&]<int Dim>(const Grasp<Dim>& grasp, const Hold<Dim>& own) {
     const Grasp<Dim> one(load_of(grasp, load), given_contacts(grasp), 1, grasp.mechanism());
-    const HoldSettings settings{.force_cap = checked_cap(force_cap)};
+    const HoldSettings settings{.force_cap = checked_cap(force_cap), .objective = own.objective};
     const HoldAnswer<Dim> answer{{}, settings, posture_of(one, unit<Dim>(up), {own})};
     return verify::verify(one, answer);
   });

@@ -63,7 +63,9 @@ const char* to_string(LoadTerm term);
 struct MotionLoad {
   std::array<Wrench<3>, 4> terms;  ///< in the order of LoadTerm
 
+  /// What gravity asks for.
   const Wrench<3>& weight() const { return terms[0]; }
+  /// What the motion asks for.
   Wrench<3> dynamic() const { return terms[1] + terms[2] + terms[3]; }
   /// Of a motion `speed` times as fast: weight + speed^2 dynamic.
   Wrench<3> at(double speed = 1) const { return weight() + speed * speed * dynamic(); }

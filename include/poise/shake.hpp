@@ -13,7 +13,7 @@ namespace poise {
 struct ShakeSettings {
   double gap{1e-3};  ///< wanted: (bound - found) / found, > 0
   /// Force norms [sizes of the load] that count as held, where nothing else limits them. What is
-  /// withstood up to a hundredth of it [g] is infinite.
+  /// withstood up to a thousandth of it [g] is infinite.
   double force_cap{1e6};
   /// The greatest grip of the drives [grip_unit()], besides their own limits.
   std::optional<double> most_grip{};

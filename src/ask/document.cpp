@@ -423,7 +423,7 @@ void add_posture(Json& result, const PlanarFile& file) {
 template <int Dim, class Found>
 ShakeProofClaim<Dim> proof_claim(const Found& found) {
   ShakeProofClaim<Dim> claim{.y = found.cut.y, .rates = some(found.cut.rates)};
-  claim.held = found.held.front();
+  if (!found.held.empty()) claim.held = found.held.front();  // else nothing is shaken
   return claim;
 }
 

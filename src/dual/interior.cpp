@@ -255,6 +255,32 @@ std::vector<double> powers(const ConeHand<Dim>& hand, const Twist<Dim>& y,
   return result;
 }
 
+/// Where rates have no part in it, as of fingers that stand still: a motion of the object off these,
+/// mixed in, with rates that keep the others from doing anything.
+template <int Dim>
+void lift_off(const ConeHand<Dim>& hand, double size, std::vector<double>& power,
+              GripCut<Dim>& cut) {
+  const auto is_endless = [&](std::size_t i) {
+    return power[i] > 0 && hand.contacts[i].hi == interior::infinity;
+  };
+  Vector<Dim> off = Vector<Dim>::Zero();
+  for (std::size_t i = 0; i < power.size(); ++i)
+    if (is_endless(i)) off -= hand.contacts[i].normal.template head<Dim>();
+  if (!(off.norm() > 1e-3)) return;
+  Twist<Dim> motion = Twist<Dim>::Zero();
+  motion.template head<Dim>() = size * off.normalized();
+  const std::vector<double> rates(hand.drives.size(), 2 * size);
+  const std::vector<double> freed = powers(hand, motion, rates);
+  double part = 0;
+  for (std::size_t i = 0; i < power.size(); ++i)
+    if (is_endless(i))
+      part = std::max(part, freed[i] < 0 ? 1.01 * power[i] / -freed[i] : interior::infinity);
+  if (!(part > 0) || !(part < 1e-6)) return;
+  cut.y += part * motion;
+  for (std::size_t a = 0; a < cut.rates.size(); ++a) cut.rates[a] += part * rates[a];
+  power = powers(hand, cut.y, cut.rates);
+}
+
 template <int Dim>
 GripCut<Dim> grip_cut(const ConeHand<Dim>& hand, const Balance<Dim>& found, double force_norm) {
   GripCut<Dim> cut{found.y, found.rates, 0, 0};
@@ -275,6 +301,7 @@ GripCut<Dim> grip_cut(const ConeHand<Dim>& hand, const Balance<Dim>& found, doub
     for (std::size_t a = 0; a < cut.rates.size(); ++a) cut.rates[a] += part * alone[a];
     power = powers(hand, cut.y, cut.rates);
   }
+  lift_off(hand, size, power, cut);
   for (const double rate : cut.rates) cut.rate_sum += rate;
   for (std::size_t i = 0; i < power.size(); ++i) {
     const ConeContact<Dim>& contact = hand.contacts[i];

@@ -165,7 +165,8 @@ std::vector<std::string> doubts(const CommonFile<Dim>& file, const Grasp<Dim>& g
     if (gripped && i > 0) break;  // they are all alike
     const std::string path = gripped ? "gripper" : "contacts[" + std::to_string(i) + "]";
     const Contact<Dim>& contact = grasp.contacts()[i];
-    const Vector<Dim>& r = contact.position;
+    // But for rounding.
+    const Vector<Dim> r = (contact.position / (1e-9 * grasp.length())).array().round();
     const auto [first, is_new] = positions.try_emplace({r.begin(), r.end()}, i);
     // A pull acts where the contact presses, against its normal.
     const bool is_pull = !is_new && contact.friction == 0 &&

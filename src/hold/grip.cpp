@@ -166,7 +166,7 @@ std::vector<DriveEffort> drive_efforts(const Hand<Dim>& hand, const Hold<Dim>& h
   for (const auto& moved : driven.moved)
     efforts[moved.drive].effort += moved.twist.dot(wrenches[moved.finger]);
   // What rounding leaves of drives that do nothing.
-  const double nothing = 1e-13 * std::sqrt(hold.effort);
+  const double nothing = 1e-15 * std::sqrt(hold.effort);
   for (std::size_t a = 0; a < efforts.size(); ++a) {
     double& effort = efforts[a].effort;
     const double length = driven.drives[a].turns ? hand.scaled().length : 1;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "hold/solve.hpp"
 #include "shake/body.hpp"
@@ -16,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double no_acceleration = 1e-9;
 constexpr double small_angle = 0.01 * std::numbers::pi / 180;
 /// Of the force cap: forces are at least as great as the load, and some weights in the mean.
-constexpr double part_of_cap = 0.01;
+constexpr double part_of_cap = 1e-3;
 /// How far to look beside a sphere of radius 1: a simplex that far contains it.
 constexpr double around_sphere = 20;
 
@@ -47,6 +48,23 @@ bool take(const Body<Dim>& body, std::size_t load, double& reach, Result& result
   return true;
 }
 
+/// Where rounding decides, what was found to be held may not be by a hold of its own, with forces
+/// that can be shown. Then nothing is told of it.
+template <int Dim, class Result, class LoadAt>
+void drop_what_has_no_forces(const Hand<Dim>& hand, double force_cap, double little, double& reach,
+                             Result& result, const LoadAt& load_at) {
+  for (std::size_t k = 0; k < result.held.size(); ++k)
+    for (const Vector<Dim>& z : result.held[k]) {
+      const auto [load, up] = load_at(k, z);
+      if (hold<Dim>(hand, load, up, {.force_cap = force_cap}).holdable) continue;
+      reach = 0;
+      result.proven = result.bound <= little;
+      for (auto& held : result.held) held.clear();
+      return;
+    }
+  if (reach > result.bound) reach = result.bound;  // by rounding
+}
+
 }  // namespace
 
 template <int Dim>
@@ -73,6 +91,12 @@ Shake<Dim> shake(const Grasp<Dim>& grasp, const Vector<Dim>& up, const ShakeSett
              [&](const Vector<Dim>& z) { return Vector<Dim>(z - ball.center); }))
       result.direction = body.cut.n;
   }
+  drop_what_has_no_forces(hand, settings.force_cap, no_acceleration * standard_gravity,
+                          result.acceleration, result, [&](std::size_t k, const Vector<Dim>& z) {
+                            Load<Dim> load = grasp.loads()[k];
+                            load.acceleration += z;
+                            return std::pair(load, up);
+                          });
   return result;
 }
 
@@ -104,6 +128,15 @@ Tilting<Dim> tilting(const Grasp<Dim>& grasp, const Vector<Dim>& up,
   }
   result.angle = std::min(result.angle, pi);
   result.bound = std::min(result.bound, pi);
+  // Another vector in place of up is another lift.
+  drop_what_has_no_forces(hand, settings.force_cap, small_angle, result.angle, result,
+                          [&](std::size_t k, const Vector<Dim>& z) {
+                            Load<Dim> load = grasp.loads()[k];
+                            const double length = z.norm();
+                            load.lift =
+                                length * (standard_gravity + load.lift) - standard_gravity;
+                            return std::pair(load, length > 0 ? Vector<Dim>(z / length) : up);
+                          });
   return result;
 }
 

@@ -222,6 +222,7 @@ Answer Oracle::answer_by_interior(std::size_t s, const Vector<3>& x, double targ
   if (is_grip()) {
     const dual::GripCut<3> proof = dual::grip_cut(cones, found, load.cap);
     const double times = scaled_grip(grasp_, load.problem.weight) / unit;
+    cut = general_half_space(s, proof.y, x);
     cut.rates = proof.rates;
     cut.rate_sum = proof.rate_sum / times;  // F in the oracle's unit
     cut.phi = proof.fixed - proof.y.dot(load.still);

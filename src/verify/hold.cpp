@@ -97,6 +97,7 @@ void check_drives(Verdict& verdict, const Path& place, const RealGrasp& grasp,
     const RealDrive& drive = grasp.drives[a];
     const DriveClaim& claim = hold.drives[a];
     const Path here = (place / "drives")[a];
+    const Real length = drive.turns ? grasp.loads.front().length : 1;
     Real effort = 0, allowed = 0;
     for (std::size_t i = 0; i < hold.contacts.size(); ++i)
       for (const RealDrive::Moved& moved : drive.moves) {
@@ -109,7 +110,8 @@ void check_drives(Verdict& verdict, const Path& place, const RealGrasp& grasp,
       }
     verdict.check(here, "name is that of the drive", claim.name == drive.name);
     verdict.check(here / "effort", "effort is the power of the forces per unit of speed",
-                  std::abs(claim.effort - effort), rounding * allowed);
+                  std::abs(claim.effort - effort),
+                  rounding * allowed + 4e-15L * length * std::sqrt(Real{hold.effort}));
     const bool limited = std::isfinite(drive.max);
     verdict.check(here / "max", "max and part_of_max are told where there is a limit",
                   claim.max.has_value() == limited && claim.part_of_max.has_value() == limited);

@@ -18,7 +18,7 @@ constexpr Real follows = 1e-6L;  ///< of a bound, from its dual
 constexpr Real of_hull = 1e-8L;  ///< of what points in a hull reach, from their digits
 constexpr Real gap = 1e-3L, little = 1e-8L, little_angle = 0.01L * pi / 180;
 /// Beyond this part of the force cap [g] an acceleration is infinite.
-constexpr Real part_of_cap = 0.01L;
+constexpr Real part_of_cap = 1e-3L;
 
 /// n . x <= b.
 template <int Dim>
@@ -115,8 +115,7 @@ class Shaking {
       verdict_.check(place / "direction", "direction is that of the dual",
                      left.n.isZero(0) ? 1 : (real(*claim.direction) - left.n).norm(), 1e-9L);
       verdict_.check(place / "bound", "no acceleration beyond the bound is held, by the dual",
-                     std::abs(std::max(left.b, Real{0}) - bound),
-                     follows * (bound + standard_gravity));
+                     std::max(left.b, Real{0}) - bound, follows * (bound + standard_gravity));
     } else {
       check_unheld(place, found == 0 && bound == 0, left, claim.proven);
     }

@@ -68,6 +68,9 @@ OWN_WORDS = {
     "up_at",
     "weight_range",
     "wrench_of",
+    "best_offset",
+    "WristOffset",
+    "WristOffset.value",
 }
 
 
@@ -96,7 +99,7 @@ class Reference(unittest.TestCase):
         only_here = {name for name in python.stub if name in python.module.__all__} - set(python.places)
         own = {"Acronym", "BestPosture", "BestSpatialPosture", "Holds", "PlanarPosture", "Refutation"}
         own |= {"SpatialPosture", "Verdict", "answer_record", "best_many", "hold_many", "verify"}
-        own |= {"PlanarTurn", "SpatialTurn", "PlanarReachable", "SpatialReachable", "turn"}
+        own |= {"PlanarTurn", "SpatialTurn", "PlanarReachable", "SpatialReachable", "turn", "Motion"}
         self.assertEqual(only_here, own | {"with_friction", "with_weight", "without_limits"})
         text = python.page()
         for name in python.module.__all__:
@@ -136,10 +139,10 @@ class Reference(unittest.TestCase):
             self.assertNotEqual(damaged, whole)
             with self.assertRaises(headers.Unread):
                 headers.parse("grasp", damaged)
-        silent = whole.replace("  /// The greatest weight of the loads [N].\n", "")
+        silent = whole.replace("  /// The size of the largest load [N].\n", "")
         self.assertEqual(
             headers.silent(headers.parse("grasp", silent)),
-            ["grasp.hpp:29: Grasp::weight has no comment"],
+            ["grasp.hpp:29: Grasp::size has no comment"],
         )
 
 

@@ -27,7 +27,7 @@ expect() {  # offered words, then the command line
   failures=$((failures + 1))
 }
 
-expect batch,best,capacity,check,contacts,curve,draw,hold,import,turn,verify,view poise ''
+expect batch,best,capacity,check,contacts,curve,draw,hold,import,motion,turn,verify,view poise ''
 expect capacity,check,contacts,curve poise c
 expect --help,--version poise --
 expect disk.json,disk.yaml,parts,'two words.yml' poise best ''
