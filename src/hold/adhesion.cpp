@@ -40,7 +40,9 @@ void keep_closing(const std::vector<Contact<Dim>>& contacts, const std::set<std:
     if (pulled.contains(contact.finger))
       sums.try_emplace(contact.finger, Vector<Dim>::Zero()).first->second +=
           contact.share * contact.normal.stableNormalized();
-  for (const auto& [name, sum] : sums) {
+  for (const auto& each : sums) {
+    const std::string& name = each.first;
+    const Vector<Dim>& sum = each.second;
     const auto known = std::find_if(mechanism.fingers.begin(), mechanism.fingers.end(),
                                     [&](const auto& finger) { return finger.name == name; });
     if (known == mechanism.fingers.end())

@@ -71,6 +71,22 @@ OWN_WORDS = {
     "best_offset",
     "WristOffset",
     "WristOffset.value",
+    "Grasp.loads",
+    "PathLimits.holdable",
+    "PathLimits.inside",
+    "PathLimits.rows",
+    "PathLimits.shrunk",
+    "SpeedLimit.bound",
+    "SpeedLimit.factor",
+    "SpeedLimit.state",
+    "WristOffset.lower_bound",
+    "WristOffset.now",
+    "WristOffset.optimal",
+    "WristOffset.rotation",
+    "WristOffset.state",
+    "domain_interval",
+    "motion",
+    "path_limits",
 }
 
 
