@@ -170,11 +170,12 @@ class AgainstTheProgram(unittest.TestCase):
         for name in ["load_efforts", "load_grips"]:
             if name in expected:
                 told = [math.inf if each is None else each for each in expected[name]]
-                self.assertEqual(getattr(posture, name), told)
+                np.testing.assert_allclose(getattr(posture, name), told, rtol=1e-9)
         self.assertEqual(posture.load_grips is None, "load_grips" not in expected)
         for k, shown in enumerate(expected["load_holds"]):
             if shown is not None:
-                self.assertEqual(posture.holds[k].lower_bound, shown["lower_bound"])
+                proven = posture.holds[k].lower_bound
+                np.testing.assert_allclose(proven, shown["lower_bound"], rtol=1e-7)
                 self.assertEqual(posture.load_efforts[k], shown["effort"])
 
     def check_best_in_space(self, file, gap):
@@ -275,7 +276,7 @@ class AgainstTheProgram(unittest.TestCase):
                         if not posture.holdable:
                             continue
                         held += 1
-                        self.assertEqual(hold.effort, expected["effort"])
+                        self.assertAlmostEqual(hold.effort / expected["effort"], 1, delta=1e-7)
                         manner = poise.manner(grasp, up, hold, load=posture.load)
                         self.assertEqual(manner.value, expected["manner"])
                         for k, each in enumerate(posture.holds):
