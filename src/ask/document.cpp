@@ -1,5 +1,6 @@
 #include "ask/document.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "files/degrees.hpp"
@@ -316,8 +317,19 @@ WeightClaim<Dim> weight_claim(const Hand<Dim>& hand, const Load<Dim>& load,
   if (!range.holdable) return claim;
   claim.greatest = finite(greatest.weight);
   claim.least = least.weight;
-  claim.greatest_hold = hold_claim(hand, claim.greatest.value_or(load.weight), greatest.posture);
-  if (least.weight > 0) claim.least_hold = hold_claim(hand, least.weight, least.posture);
+  const auto size = [&](Load<Dim> other, double weight) {
+    other.weight = weight;
+    return other.size(hand.length());
+  };
+  // Where any weight is held, a fixed wrench is nothing near it.
+  Load<Dim> alone = load;
+  alone.fixed.setZero();
+  claim.greatest_hold = hold_claim(
+      hand,
+      claim.greatest ? size(load, *claim.greatest) : size(alone, load.weight > 0 ? load.weight : 1),
+      greatest.posture);
+  if (least.weight > 0)
+    claim.least_hold = hold_claim(hand, size(load, least.weight), least.posture);
   for (std::size_t i = 0; i < range.deciding.size(); ++i)
     claim.contacts.push_back({range.deciding[i], hand.contacts()[i].finger});
   const std::vector<Drive<Dim>> drives = hand.drives();
@@ -331,7 +343,7 @@ FrictionClaim<Dim> friction_claim(const Hand<Dim>& hand, const Load<Dim>& load,
                                   const LeastFriction<Dim>& friction) {
   FrictionClaim<Dim> claim{finite(friction.factor), friction.bound, where_false(friction.proven),
                            friction.dual, some(friction.rates)};
-  if (claim.factor) claim.hold = hold_claim(hand, load.weight, friction.posture);
+  if (claim.factor) claim.hold = hold_claim(hand, load.size(hand.length()), friction.posture);
   return claim;
 }
 
@@ -422,7 +434,10 @@ void add_posture(Json& result, const PlanarFile& file) {
 /// Of a Shake or a Tilting of one load.
 template <int Dim, class Found>
 ShakeProofClaim<Dim> proof_claim(const Found& found) {
-  ShakeProofClaim<Dim> claim{.y = found.cut.y, .rates = some(found.cut.rates)};
+  ShakeProofClaim<Dim> claim{.y = found.cut.y};
+  const auto& rates = found.cut.rates;
+  if (std::any_of(rates.begin(), rates.end(), [](double rate) { return rate > 0; }))
+    claim.rates = some(rates);
   if (!found.held.empty()) claim.held = found.held.front();  // else nothing is shaken
   return claim;
 }
@@ -433,15 +448,14 @@ ShakeClaim<Dim> shake_claim(const Shake<Dim>& found) {
                         .bound = finite(found.bound),
                         .proven = where_false(found.proven),
                         .proof = proof_claim<Dim>(found)};
-  if (claim.bound && found.holdable) claim.direction = found.direction;
+  if (claim.bound.value_or(0) > 0) claim.direction = found.direction;
   return claim;
 }
 
 template <int Dim>
 TiltClaim<Dim> tilt_claim(const Tilting<Dim>& found) {
-  TiltClaim<Dim> claim{.bound = found.bound,
-                       .proven = where_false(found.proven),
-                       .proof = proof_claim<Dim>(found)};
+  TiltClaim<Dim> claim{
+      .bound = found.bound, .proven = where_false(found.proven), .proof = proof_claim<Dim>(found)};
   if (!found.cut.y.isZero(0)) claim.weakest = found.up;
   return claim;
 }

@@ -1,5 +1,6 @@
 #include "poise/shake.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -52,17 +53,23 @@ bool take(const Body<Dim>& body, std::size_t load, double& reach, Result& result
 /// that can be shown. Then nothing is told of it.
 template <int Dim, class Result, class LoadAt>
 void drop_what_has_no_forces(const Hand<Dim>& hand, double force_cap, double little, double& reach,
-                             Result& result, const LoadAt& load_at) {
-  for (std::size_t k = 0; k < result.held.size(); ++k)
-    for (const Vector<Dim>& z : result.held[k]) {
-      const auto [load, up] = load_at(k, z);
-      if (hold<Dim>(hand, load, up, {.force_cap = force_cap}).holdable) continue;
-      reach = 0;
-      result.proven = result.bound <= little;
-      for (auto& held : result.held) held.clear();
-      return;
-    }
-  if (reach > result.bound) reach = result.bound;  // by rounding
+                             Result& result, const Vector<Dim>& inside, const LoadAt& load_at) {
+  const auto is_held = [&](std::size_t k, const Vector<Dim>& z) {
+    const auto [load, up] = load_at(k, z);
+    return hold<Dim>(hand, load, up, {.force_cap = force_cap}).holdable;
+  };
+  bool all = true;
+  for (std::size_t k = 0; k < result.held.size(); ++k) {
+    all = all && (!result.holdable || is_held(k, inside));
+    for (const Vector<Dim>& z : result.held[k]) all = all && is_held(k, z);
+  }
+  if (all) {
+    reach = std::min(reach, result.bound);  // else above it by rounding
+    return;
+  }
+  reach = 0;
+  result.proven = result.bound <= little;
+  for (auto& held : result.held) held.clear();
 }
 
 }  // namespace
@@ -92,7 +99,8 @@ Shake<Dim> shake(const Grasp<Dim>& grasp, const Vector<Dim>& up, const ShakeSett
       result.direction = body.cut.n;
   }
   drop_what_has_no_forces(hand, settings.force_cap, no_acceleration * standard_gravity,
-                          result.acceleration, result, [&](std::size_t k, const Vector<Dim>& z) {
+                          result.acceleration, result, Vector<Dim>(Vector<Dim>::Zero()),
+                          [&](std::size_t k, const Vector<Dim>& z) {
                             Load<Dim> load = grasp.loads()[k];
                             load.acceleration += z;
                             return std::pair(load, up);
@@ -129,12 +137,11 @@ Tilting<Dim> tilting(const Grasp<Dim>& grasp, const Vector<Dim>& up,
   result.angle = std::min(result.angle, pi);
   result.bound = std::min(result.bound, pi);
   // Another vector in place of up is another lift.
-  drop_what_has_no_forces(hand, settings.force_cap, small_angle, result.angle, result,
+  drop_what_has_no_forces(hand, settings.force_cap, small_angle, result.angle, result, up,
                           [&](std::size_t k, const Vector<Dim>& z) {
                             Load<Dim> load = grasp.loads()[k];
                             const double length = z.norm();
-                            load.lift =
-                                length * (standard_gravity + load.lift) - standard_gravity;
+                            load.lift = length * (standard_gravity + load.lift) - standard_gravity;
                             return std::pair(load, length > 0 ? Vector<Dim>(z / length) : up);
                           });
   return result;

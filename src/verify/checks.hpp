@@ -40,7 +40,7 @@ void check_capacity(Verdict& verdict, const RealGrasp& grasp, const CapacityDocu
                     const Present& present);
 /// Checks what is withstood besides the load.
 template <int Dim>
-void check_shakes(Verdict& verdict, const Grasp<Dim>& given, const RealGrasp& grasp,
+void check_shakes(Verdict& verdict, const Grasp<Dim>& given,
                   const CapacityDocument<Dim>& capacity);
 
 /// Checks that forces hold the object within the force cap [weights], or the proof that none do.

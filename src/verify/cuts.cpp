@@ -172,9 +172,8 @@ void check_cuts(Verdict& verdict, const RealGrasp& grasp, const std::vector<Cut>
   for (const RealLoad& load : grasp.loads)
     if (load.still().isZero(0)) greatest = std::max(greatest, std::abs(load.turning()));
   for (const RealContact& contact : grasp.contacts) shares += contact.share;
-  const Real alone = options.objective == Objective::grip
-                         ? std::numeric_limits<Real>::infinity()
-                         : std::sqrt(least * shares) / greatest;
+  const Real alone = options.objective == Objective::grip ? std::numeric_limits<Real>::infinity()
+                                                          : std::sqrt(least * shares) / greatest;
   verdict.check(list, words, std::min({left.farthest, 1 / left.nearest, alone}), 1 + 1e-6L);
 }
 

@@ -230,8 +230,8 @@ void check_other(Verdict& verdict, const Path& place, std::size_t k, const RealG
   if (!effort && k != *hold.load)
     verdict.unchecked(of_effort, "that a load cannot be held is proven of the one that decides");
   if (effort && hold.holdable)
-    verdict.check(of_effort, "no load needs more than the one that decides",
-                  *effort / value(hold), 1 + 1e-9L);
+    verdict.check(of_effort, "no load needs more than the one that decides", *effort / value(hold),
+                  1 + 1e-9L);
   if (none || !other) return;
   const Real cap = force_cap * grasp.greatest_size() / grasp.loads[k].size();
   // In the best posture of all loads this one may be at the limit of what can be held.
@@ -334,8 +334,7 @@ void check_hold(Verdict& verdict, const Path& place, const RealGrasp& grasp,
     // The cap is one of the least effort: forces of least grip may need more.
     if (hold.objective != Objective::grip)
       verdict.check(place, "force_norm is within the force cap",
-                    std::sqrt(Real{hold.effort}) / (force_cap * grasp.greatest_size()),
-                    1 + 1e-6L);
+                    std::sqrt(Real{hold.effort}) / (force_cap * grasp.greatest_size()), 1 + 1e-6L);
     return;
   }
   if (hold.objective == Objective::grip && hold.rates) {

@@ -73,9 +73,11 @@ Left left_by(const RealGrasp& grasp, const Vec& up, Real gain, const ShakeProofC
              const std::vector<Real>& rates, Real cap) {
   const RealLoad& load = grasp.loads.front();
   const Vec y = real(proof.y);
-  const WeightBound bound = weight_bound(grasp, load, up, y, rates, cap);
+  const PowerBound power = power_bound(grasp, y, rates);
   const Vec v = gain * velocity(y, load.com);
-  const Real speed = v.norm(), rest = bound.fixed - load.weight * bound.gain;
+  const Real speed = v.norm();
+  const Real rest = power.limited + power.per_norm * cap * load.size() +
+                    delta * imbalance_power(load, y) - y.dot(wrench(load, up));
   return speed > 0 ? Left{v / speed, rest / speed} : Left{Vec::Zero(Dim), rest};
 }
 
@@ -83,11 +85,11 @@ Left left_by(const RealGrasp& grasp, const Vec& up, Real gain, const ShakeProofC
 template <int Dim>
 class Shaking {
  public:
-  Shaking(Verdict& verdict, const Grasp<Dim>& given, const RealGrasp& grasp, std::size_t load,
+  Shaking(Verdict& verdict, const Grasp<Dim>& given, std::size_t load,
           const CapacityClaim<Dim>& claim, Real cap)
       : verdict_(verdict),
         one_(given.loads()[load], given.contacts(), 1, given.mechanism()),
-        real_(with_load(grasp, grasp.loads[load])),
+        real_(real_grasp(one_)),
         load_(real_.loads.front()),
         up_(real(claim.up)),
         claim_(claim),
@@ -109,13 +111,14 @@ class Shaking {
     if (!rates) return;
     const Left left =
         left_by(real_, up_, load_.weight / standard_gravity, claim.proof, *rates, cap_);
-    verdict_.check(place / "direction", "there is a direction where there is a bound above 0",
-                   claim.direction.has_value() || !claim.bound || bound == 0);
+    verdict_.check(place / "direction", "a direction is told where there is a bound above 0",
+                   claim.direction.has_value() == (claim.bound && bound > 0));
     if (claim.direction) {
       verdict_.check(place / "direction", "direction is that of the dual",
                      left.n.isZero(0) ? 1 : (real(*claim.direction) - left.n).norm(), 1e-9L);
       verdict_.check(place / "bound", "no acceleration beyond the bound is held, by the dual",
-                     std::max(left.b, Real{0}) - bound, follows * (bound + standard_gravity));
+                     std::abs(std::max(left.b, Real{0}) - bound),
+                     follows * (bound + standard_gravity));
     } else {
       check_unheld(place, found == 0 && bound == 0, left, claim.proven);
     }
@@ -135,12 +138,18 @@ class Shaking {
     const auto rates = real_rates(verdict_, place / "proof" / "rates", real_, claim.proof.rates);
     if (!rates) return;
     const Left left = left_by(real_, up_, load_.turning(), claim.proof, *rates, cap_);
+    verdict_.check(place / "weakest", "a weakest posture is told where there is a dual",
+                   claim.weakest.has_value() == !claim.proof.y.isZero(0));
     if (bound == 0) {
       check_unheld(place, found == 0, left, claim.proven);
+      if (claim.weakest)
+        verdict_.unchecked(place / "weakest", "where no posture is held, none is the weakest");
     } else if (bound < pi - follows) {
       check_weakest(place / "weakest", claim.weakest, left, bound);
       verdict_.check(place / "bound_deg", "a posture so far away is not held, by the dual [rad]",
                      std::abs(angle_of(left.n, left.b) - bound), follows);
+    } else if (claim.weakest) {
+      verdict_.unchecked(place / "weakest", "where all postures are held, none is the weakest");
     }
     if (found == 0) return;
     if (load_.turning() == 0) return check_held(place, Vector<Dim>::Zero(), claim_.up);
@@ -184,8 +193,7 @@ class Shaking {
   /// The posture at the bound, on the plane of the half-space.
   void check_weakest(const Path& place, const std::optional<Vector<Dim>>& claim, const Left& left,
                      Real bound) {
-    verdict_.check(place, "there is a weakest posture where there is a bound", claim.has_value());
-    if (!claim) return;
+    if (!claim) return verdict_.check(place, "a bound has a dual", false);
     const Vec weakest = real(*claim);
     const Real along = weakest.dot(up_);
     verdict_.check(place, "it is so far away from the posture [rad]",
@@ -258,18 +266,18 @@ class Shaking {
 }  // namespace
 
 template <int Dim>
-void check_shakes(Verdict& verdict, const Grasp<Dim>& given, const RealGrasp& grasp,
+void check_shakes(Verdict& verdict, const Grasp<Dim>& given,
                   const CapacityDocument<Dim>& capacity) {
   for (std::size_t k = 0; k < capacity.capacities.size(); ++k) {
     const CapacityClaim<Dim>& claim = capacity.capacities[k];
     const std::size_t load = claim.load.value_or(0);
     if (load >= given.loads().size()) continue;  // refused already
-    Shaking<Dim>(verdict, given, grasp, load, claim, capacity.options.force_cap)
+    Shaking<Dim>(verdict, given, load, claim, capacity.options.force_cap)
         .check((Path() / "capacities")[k]);
   }
 }
 
-template void check_shakes(Verdict&, const Grasp<2>&, const RealGrasp&, const CapacityDocument<2>&);
-template void check_shakes(Verdict&, const Grasp<3>&, const RealGrasp&, const CapacityDocument<3>&);
+template void check_shakes(Verdict&, const Grasp<2>&, const CapacityDocument<2>&);
+template void check_shakes(Verdict&, const Grasp<3>&, const CapacityDocument<3>&);
 
 }  // namespace poise::verify

@@ -171,10 +171,10 @@ Vec project(const RealContact& contact, const Vec& z) {
   Real n = foot, t = mu * foot;
   for (const Real side : {contact.least, contact.most}) {
     if (!std::isfinite(side)) continue;
-    const Real along = std::min(zt, mu * side);
-    if (std::hypot(zn - side, zt - along) >= std::hypot(zn - n, zt - t)) continue;
+    if (!(zt < mu * side)) continue;  // past its end, where the edge is nearer
+    if (std::abs(zn - side) >= std::hypot(zn - n, zt - t)) continue;
     n = side;
-    t = along;
+    t = zt;
   }
   Vec f = zt > 0 ? Vec(z * (t / zt)) : Vec(Vec::Zero(z.size()));
   f[0] = n;
@@ -364,6 +364,28 @@ RealGrasp with_friction(RealGrasp grasp, Real factor) {
   return grasp;
 }
 
+PowerBound power_bound(const RealGrasp& grasp, const Vec& y, const std::vector<Real>& rates) {
+  PowerBound bound;
+  for (std::size_t a = 0; a < rates.size(); ++a)
+    if (rates[a] > 0) bound.limited += rates[a] * grasp.drives[a].max;
+  Real squared = 0;
+  for (const RealContact& contact : grasp.contacts) {
+    const Vec z = contact.G.transpose() * against(grasp, contact.finger, y, rates);
+    // What a force with normal force 1 can do against y at most.
+    const Real most = power(contact, z);
+    if (std::isfinite(contact.most)) {
+      bound.limited += std::max(contact.least * most, contact.most * most);
+      continue;
+    }
+    bound.limited += contact.least * most;
+    RealContact whole = contact;
+    whole.least = 0;
+    squared += effort(whole, project(whole, contact.share * z));
+  }
+  bound.per_norm = std::sqrt(squared);
+  return bound;
+}
+
 WeightBound weight_bound(const RealGrasp& grasp, const RealLoad& load, const Vec& up, const Vec& y,
                          const std::vector<Real>& rates, Real cap) {
   RealLoad newton = load, nothing = load;
@@ -372,27 +394,10 @@ WeightBound weight_bound(const RealGrasp& grasp, const RealLoad& load, const Vec
   nothing.weight = 0;
   const Real moving = std::abs(newton.turning()) + newton.acceleration.norm() / standard_gravity;
   const Real tolerated = delta * imbalance_power(load, y) / load.size();
-  WeightBound bound{0, -y.dot(load.fixed) + tolerated * nothing.size()};
-  for (std::size_t a = 0; a < rates.size(); ++a)
-    if (rates[a] > 0) bound.fixed += rates[a] * grasp.drives[a].max;
-  Real squared = 0;
-  for (const RealContact& contact : grasp.contacts) {
-    const Vec z = contact.G.transpose() * against(grasp, contact.finger, y, rates);
-    // What a force with normal force 1 can do against y at most.
-    const Real most = power(contact, z);
-    if (std::isfinite(contact.most)) {
-      bound.fixed += std::max(contact.least * most, contact.most * most);
-      continue;
-    }
-    bound.fixed += contact.least * most;
-    RealContact whole = contact;
-    whole.least = 0;
-    squared += effort(whole, project(whole, contact.share * z));
-  }
-  const Real growing = cap * std::sqrt(squared);
-  bound.gain = y.dot(wrench(newton, up)) - moving * (tolerated + growing);
-  bound.fixed += nothing.size() * growing;
-  return bound;
+  const PowerBound power = power_bound(grasp, y, rates);
+  const Real per_newton = tolerated + cap * power.per_norm;
+  return {y.dot(wrench(newton, up)) - moving * per_newton,
+          power.limited - y.dot(load.fixed) + nothing.size() * per_newton};
 }
 
 }  // namespace poise::verify

@@ -150,6 +150,13 @@ Real bound_rounding(const RealGrasp& grasp, const Vec& w, const Vec& y,
 /// |v| + L |omega| times the weight, v at the com: the power of y on an imbalance of 1 at most.
 Real imbalance_power(const RealLoad& load, const Vec& y);
 
+/// What forces within the limits do against (y, rates) at most: of contacts without a limit as much
+/// as the force norm allows.
+struct PowerBound {
+  Real limited{0}, per_norm{0};
+};
+PowerBound power_bound(const RealGrasp& grasp, const Vec& y, const std::vector<Real>& rates);
+
 /// weight * gain <= fixed for every weight that is held in a posture with a force norm of at most
 /// `cap` weights, balanced within delta.
 struct WeightBound {

@@ -117,7 +117,7 @@ struct Checker {
   }
   void operator()(const CapacityDocument<Dim>& capacity) {
     check_capacity(verdict, grasp, capacity, now);
-    check_shakes(verdict, given, grasp, capacity);
+    check_shakes(verdict, given, capacity);
   }
   void operator()(const CurveDocument& curve) {
     check_curve(verdict, grasp, curve);

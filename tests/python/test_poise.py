@@ -170,13 +170,12 @@ class AgainstTheProgram(unittest.TestCase):
         for name in ["load_efforts", "load_grips"]:
             if name in expected:
                 told = [math.inf if each is None else each for each in expected[name]]
-                np.testing.assert_allclose(getattr(posture, name), told, rtol=1e-9)
+                self.assertEqual(getattr(posture, name), told)
         self.assertEqual(posture.load_grips is None, "load_grips" not in expected)
         for k, shown in enumerate(expected["load_holds"]):
             if shown is not None:
-                proven = posture.holds[k].lower_bound
-                np.testing.assert_allclose(proven, shown["lower_bound"], rtol=1e-7)
-                np.testing.assert_allclose(posture.load_efforts[k], shown["effort"], rtol=1e-7)
+                self.assertEqual(posture.holds[k].lower_bound, shown["lower_bound"])
+                self.assertEqual(posture.load_efforts[k], shown["effort"])
 
     def check_best_in_space(self, file, gap):
         for objective in poise.Objective.effort, poise.Objective.grip:
@@ -255,8 +254,8 @@ class AgainstTheProgram(unittest.TestCase):
             file = Path(directory, "grasp.json")
             for count in [1, 2, 3]:
                 contacts = random_spatial_grasp(rng, 5).contacts
-                grasp = poise.Grasp(random_loads(rng, count), contacts)
-                poise.save(grasp, file)
+                poise.save(poise.Grasp(random_loads(rng, count), contacts), file)
+                grasp = poise.load(file).grasp()  # normals may be normalised once more
                 for load, shown in zip(grasp.loads, answer("check", file)["loads"], strict=True):
                     self.assertEqual((load.name, load.weight), (shown["name"], shown["weight"]))
                     self.assertEqual((load.com.tolist(), load.lift), (shown["com"], shown["lift"]))
@@ -276,7 +275,7 @@ class AgainstTheProgram(unittest.TestCase):
                         if not posture.holdable:
                             continue
                         held += 1
-                        self.assertAlmostEqual(hold.effort / expected["effort"], 1, delta=1e-7)
+                        self.assertEqual(hold.effort, expected["effort"])
                         manner = poise.manner(grasp, up, hold, load=posture.load)
                         self.assertEqual(manner.value, expected["manner"])
                         for k, each in enumerate(posture.holds):

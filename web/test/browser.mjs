@@ -67,8 +67,11 @@ export async function drag(page, selector, dx, dy) {
 /** In space: everything there is to know has come from the worker. */
 export const settled = (page) => page.waitForSelector('body[data-settled="1"]');
 
-/** What the turn takes has been told. */
-export const turnTold = (page) => page.waitForFunction(() => [...document.querySelectorAll('#turn > div:not([hidden])')].every((each) => each.ariaBusy === 'false'));
+/** What the turn takes has been told. What was just changed asks for it with the next frame. */
+export const turnTold = async (page) => {
+  await frame(page);
+  await page.waitForFunction(() => [...document.querySelectorAll('#turn > div:not([hidden])')].every((each) => each.ariaBusy === 'false'));
+};
 /** Its heading, its words, its buttons. */
 export const turnSaid = (page) => page.evaluate(() => {
   const turn = document.querySelector('#turn > div:not([hidden])');

@@ -120,6 +120,8 @@ expect((await most.inputValue()) === '' && (await verdict(page)).includes('300.0
 expect(await page.locator('#plane .tip').isHidden(), 'nothing pushes at first');
 expect(await changes('a push', () => page.getByLabel('Push, x [N]').fill('4')), 'a push changes the curve');
 expect(await page.locator('#plane .tip').isVisible() && (await page.locator('#plane .arrow.gravity').count()) === 2, 'and has an arrow');
+await page.evaluate(() => scrollTo(0, 0));  // the number is below
+expect(await changes('its arrow', () => drag(page, '#plane .tip', 25, 10)), 'its arrow is dragged');
 await page.locator('#plane .tip').focus();
 expect(await changes('a key on it', async () => { await page.keyboard.press('ArrowRight'); await frame(page); }), 'and moved by keys');
 await page.click('#reset');
