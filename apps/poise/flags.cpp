@@ -128,12 +128,19 @@ void Flags::domain(Question& question) {
         [&](const auto& text) { question.domain = read_domain(text); });
 }
 
-void Flags::objective(Question& question) {
-  value("--objective", "grip|effort",
-        "What is to be least: the grip, or the sum of squares of the forces",
-        [&](const auto& text) {
+void Flags::objective(Question& question, bool sturdy) {
+  value("--objective", sturdy ? "grip|effort|sturdy" : "grip|effort",
+        "What is to be least: the grip, or the sum of squares of the forces" +
+            std::string(sturdy ? "; sturdy: the posture that withstands most" : ""),
+        [&question, sturdy](const auto& text) {
+          if (sturdy && text == "sturdy") {
+            question.command = Command::sturdiest;
+            return;
+          }
           if (text != "grip" && text != "effort")
-            throw UsageError("--objective: " + in_quotes(text) + " must be grip or effort");
+            throw UsageError(
+                "--objective: " + in_quotes(text) +
+                (sturdy ? " must be grip, effort or sturdy" : " must be grip or effort"));
           question.objective = text == "grip" ? Objective::grip : Objective::effort;
         });
 }
@@ -147,10 +154,10 @@ void Flags::force_cap(Question& question) {
       });
 }
 
-void Flags::search(Question& question) {
+void Flags::search(Question& question, bool sturdy) {
   const bool is_turn = question.command == Command::turn;
   domain(question);
-  objective(question);
+  objective(question, sturdy);
   force_cap(question);
   value("--gap", "PART",
         "Space: how far what is needed may be above the proven bound (" +

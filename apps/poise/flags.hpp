@@ -57,11 +57,12 @@ class Flags {
   // The options of a question.
   void posture(Question& question, const std::string& posture = "Posture");
   void domain(Question& question);
-  void objective(Question& question);
+  /// @param sturdy  whether that can be asked for, too
+  void objective(Question& question, bool sturdy = false);
   void force_cap(Question& question);
   /// Domain, objective, force cap, gap, holds: of the best posture, or of turns, with their
   /// defaults.
-  void search(Question& question);
+  void search(Question& question, bool sturdy = false);
   void turned(Question& question);  ///< tilt, orientation
 
   /// @throws UsageError

@@ -1,10 +1,12 @@
-// How much a hold withstands besides the load: accelerations in any direction, and tilting.
+// How much a hold withstands besides the load: accelerations in any direction, and tilting; and the
+// posture that withstands most.
 // docs/theory.md, "Shake".
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "poise/best_posture.hpp"
 #include "poise/grip.hpp"
 
 namespace poise {
@@ -17,7 +19,7 @@ struct ShakeSettings {
   double force_cap{1e6};
   /// The greatest grip of the drives [grip_unit()], besides their own limits.
   std::optional<double> most_grip{};
-  int max_holds{2000};  ///< holds to spend on each load, or on the search for the sturdiest posture
+  int max_holds{2000};  ///< holds to spend on each load; ten times as many on sturdiest_posture()
 };
 
 /// Proves that no more is withstood, by one half-space: for the load and every acceleration x of
@@ -63,6 +65,22 @@ struct Tilting {
   int holds{0};       ///< spent on it
 };
 
+/// The posture that withstands the greatest acceleration in every direction.
+template <int Dim>
+struct Sturdiest {
+  Status status{Status::unholdable};
+  Vector<Dim> up = Vector<Dim>::Zero();  ///< unit vector, object frame; 0 where none was found
+  /// In it: of each load, as if it were the only one.
+  std::vector<Shake<Dim>> shakes;
+  /// The least of theirs [m/s^2].
+  double acceleration{0};
+  /// No posture of the domain withstands more, by `cuts` [m/s^2]; infinite where nothing limits it,
+  /// and 0 where none is held.
+  double bound{0};
+  std::vector<ShakeCut<Dim>> cuts;
+  int holds{0};  ///< spent on it
+};
+
 /// The greatest r such that every acceleration of the com up to r, in any direction, is withstood
 /// with up = `up` (unit vector, object frame), besides what the loads say already: within the
 /// limits of contacts and drives, and the given grip. Of loads without weight none has an effect.
@@ -77,5 +95,16 @@ Shake<Dim> shake(const Grasp<Dim>& grasp, const Vector<Dim>& up,
 template <int Dim>
 Tilting<Dim> tilting(const Grasp<Dim>& grasp, const Vector<Dim>& up,
                      const ShakeSettings& settings = {});
+
+/// The posture of a domain, in space of all where there is no tilt, of which shake() is greatest,
+/// with a bound on that of all others: docs/theory.md, "Shake". Where no other withstands more, by
+/// a part of 1e-6, it is the present one (unit vector, object frame).
+/// @throws InvalidGrasp as shake(), or for a tilt out of its range
+Sturdiest<2> sturdiest_posture(const Grasp<2>& grasp, Domain domain = Domain::all,
+                               const ShakeSettings& settings = {},
+                               const Vector<2>& present = Vector<2>::UnitY());
+Sturdiest<3> sturdiest_posture(const Grasp<3>& grasp, const std::optional<Tilt>& tilt = {},
+                               const ShakeSettings& settings = {},
+                               const Vector<3>& present = Vector<3>::UnitZ());
 
 }  // namespace poise

@@ -123,17 +123,31 @@ struct CapacityAnswer {
   std::vector<CapacityAt<Dim>> capacities;
 };
 
+/// The posture that withstands most.
+template <int Dim>
+struct SturdyAnswer {
+  ShakeSettings settings;
+  Domain domain{};             ///< in the plane
+  std::optional<Tilt> tilt{};  ///< in space
+  Sturdiest<Dim> found;
+  Eigen::Quaterniond orientation{Eigen::Quaterniond::Identity()};  ///< in space, the present one
+  Vector<Dim> now_up = Vector<Dim>::Zero();
+  std::optional<Shake<Dim>> now{};  ///< as it is held now, where somebody said so
+};
+
 template <int Dim>
 struct AnswerTo;
 template <>
 struct AnswerTo<2> {
   std::variant<CheckAnswer<2>, HoldAnswer<2>, BestAnswer<2>, TurnAnswer<2>, CurveAnswer,
-               CapacityAnswer<2>>
+               CapacityAnswer<2>, SturdyAnswer<2>>
       of;
 };
 template <>
 struct AnswerTo<3> {
-  std::variant<CheckAnswer<3>, HoldAnswer<3>, BestAnswer<3>, TurnAnswer<3>, CapacityAnswer<3>> of;
+  std::variant<CheckAnswer<3>, HoldAnswer<3>, BestAnswer<3>, TurnAnswer<3>, CapacityAnswer<3>,
+               SturdyAnswer<3>>
+      of;
 };
 
 }  // namespace poise

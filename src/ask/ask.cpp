@@ -265,7 +265,7 @@ void name_least_turn(Best<3>& best, const Grasp<3>& grasp, const SpatialSettings
   if (now.holdable() && in_domain &&
       (!best.holdable() || now.value() <= most_of_ties(best, settings.gap))) {
     put_first(best, now, settings.gap);
-    if (now.manner == Manner::pinched) best.pinched = 0;
+    if (now.manner == Manner::pinched && is_interior(grasp, settings, now.up)) best.pinched = 0;
     return;
   }
   if (!best.holdable()) return;
@@ -280,10 +280,9 @@ void name_least_turn(Best<3>& best, const Grasp<3>& grasp, const SpatialSettings
   const Posture<3> posture =
       up ? posture_at(grasp, *up, {settings.force_cap, settings.objective}) : Posture<3>{};
   if (up && posture.value() <= most) {
-    // It lies where the known one does: inside what can be held, or at its border.
-    const bool at_border = known.manner == Manner::pinched && best.pinched != nearest;
     put_first(best, posture, settings.gap);
-    if (posture.manner == Manner::pinched && !at_border) best.pinched = 0;
+    if (posture.manner == Manner::pinched && is_interior(grasp, settings, posture.up))
+      best.pinched = 0;
     return;
   }
   const auto first = best.minima.begin(), chosen = first + static_cast<std::ptrdiff_t>(nearest);
@@ -425,6 +424,36 @@ CapacityAnswer<Dim> capacities(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
   return answer;
 }
 
+ShakeSettings sturdy_settings(const Question& question) {
+  ShakeSettings settings{.force_cap = question.force_cap};
+  settings.gap = question.gap.value_or(settings.gap);
+  settings.max_holds = question.max_holds.value_or(settings.max_holds);
+  return settings;
+}
+
+SturdyAnswer<2> sturdiest(const PlanarFile& file, const Grasp<2>& grasp, const Question& question) {
+  Question planar = question;
+  planar.gap = {};
+  planar.max_holds = {};
+  refuse_spatial(planar);
+  SturdyAnswer<2> answer{sturdy_settings(question), question.domain.value_or(file.domain)};
+  answer.now_up = up_at(file.angle.value_or(0));
+  answer.found = sturdiest_posture(grasp, answer.domain, answer.settings, answer.now_up);
+  if (file.angle) answer.now = shake<2>(grasp, answer.now_up, answer.settings);
+  return answer;
+}
+
+SturdyAnswer<3> sturdiest(const SpatialFile& file, const Grasp<3>& grasp,
+                          const Question& question) {
+  refuse_planar(question);
+  SturdyAnswer<3> answer{.settings = sturdy_settings(question), .tilt = tilt_of(file, question)};
+  answer.orientation = present_orientation(file, question);
+  answer.now_up = answer.orientation.conjugate() * Vector<3>::UnitZ();
+  answer.found = sturdiest_posture(grasp, answer.tilt, answer.settings, answer.now_up);
+  if (question.orientation || file.up) answer.now = shake<3>(grasp, answer.now_up, answer.settings);
+  return answer;
+}
+
 template <int Dim>
 AnswerTo<Dim> answer_to(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                         const Question& question) {
@@ -444,6 +473,8 @@ AnswerTo<Dim> answer_to(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
         throw Misfit("curve", "is for the plane,", 3);
     case Command::capacity:
       return {capacities(file, grasp, question)};
+    case Command::sturdiest:
+      return {sturdiest(file, grasp, question)};
   }
   throw std::logic_error("a command without an answer");
 }
@@ -492,31 +523,33 @@ bool holdable(const AnswerTo<Dim>& answer) {
                    }
                    return std::any_of(held.begin(), held.end(),
                                       [](const auto& posture) { return posture.second; });
-                 }},
+                 },
+                 [](const SturdyAnswer<Dim>& sturdy) { return !sturdy.found.shakes.empty(); }},
       answer.of);
 }
 
 template <int Dim>
 bool proven(const AnswerTo<Dim>& answer) {
   return std::visit(
-      Overloaded{[](const CheckAnswer<Dim>&) { return true; },
-                 [](const HoldAnswer<Dim>& hold) { return hold.posture.hold().proven; },
-                 [](const BestAnswer<2>& best) { return best.best.proof.curve.undecided.empty(); },
-                 [](const BestAnswer<3>& best) { return best.best.status != Status::gap; },
-                 [](const TurnAnswer<2>&) { return true; },
-                 [](const TurnAnswer<3>& turn) {
-                   const std::optional<Way>& way = turn.taken.way;
-                   return !way || way->status != Status::gap;
-                 },
-                 [](const CurveAnswer& curve) { return curve.curve.undecided.empty(); },
-                 [](const CapacityAnswer<Dim>& capacity) {
-                   const auto open = [](const CapacityAt<Dim>& each) {
-                     const LeastFriction<Dim>& friction = each.capacity.friction;
-                     return friction.factor > 1 && !(friction.bound >= 1);
-                   };
-                   return std::none_of(capacity.capacities.begin(), capacity.capacities.end(),
-                                       open);
-                 }},
+      Overloaded{
+          [](const CheckAnswer<Dim>&) { return true; },
+          [](const HoldAnswer<Dim>& hold) { return hold.posture.hold().proven; },
+          [](const BestAnswer<2>& best) { return best.best.proof.curve.undecided.empty(); },
+          [](const BestAnswer<3>& best) { return best.best.status != Status::gap; },
+          [](const TurnAnswer<2>&) { return true; },
+          [](const TurnAnswer<3>& turn) {
+            const std::optional<Way>& way = turn.taken.way;
+            return !way || way->status != Status::gap;
+          },
+          [](const CurveAnswer& curve) { return curve.curve.undecided.empty(); },
+          [](const CapacityAnswer<Dim>& capacity) {
+            const auto open = [](const CapacityAt<Dim>& each) {
+              const LeastFriction<Dim>& friction = each.capacity.friction;
+              return friction.factor > 1 && !(friction.bound >= 1);
+            };
+            return std::none_of(capacity.capacities.begin(), capacity.capacities.end(), open);
+          },
+          [](const SturdyAnswer<Dim>& sturdy) { return sturdy.found.status != Status::gap; }},
       answer.of);
 }
 

@@ -538,10 +538,10 @@ struct ShakeClaim {
 /// How far the posture may be tilted.
 template <int Dim>
 struct TiltClaim {
-  double bound{0};                      ///< [rad]
+  double bound{0};                       ///< [rad]
   std::optional<Vector<Dim>> weakest{};  ///< the posture so far away; null where all are held
-  std::optional<bool> proven{};         ///< told where it is false
-  ShakeProofClaim<Dim> proof{};         ///< held: vectors in place of up
+  std::optional<bool> proven{};          ///< told where it is false
+  ShakeProofClaim<Dim> proof{};          ///< held: vectors in place of up
 
   void fields(auto& visit) {
     visit.degrees("bound_deg", bound);
@@ -582,6 +582,42 @@ struct CapacityDocument {
   std::vector<CapacityClaim<Dim>> capacities{};
 
   void fields(auto& visit) { visit("options", options, "capacities", capacities); }
+};
+
+/// Bounds what all postures withstand.
+template <int Dim>
+struct SturdyCutClaim {
+  std::optional<std::size_t> load{};  ///< where there are several
+  Twist<Dim> y;
+  std::optional<std::vector<double>> rates{};  ///< of the drives, where any has a max
+
+  void fields(auto& visit) {
+    visit.maybe("load", load);
+    visit("y", y);
+    visit.maybe("rates", rates);
+  }
+};
+
+/// The posture that withstands most.
+template <int Dim>
+struct SturdyDocument {
+  static constexpr const char* command = "sturdiest";
+  OptionsClaim options{};
+  Status status{};
+  std::optional<Vector<Dim>> up{};          ///< null where none was found
+  std::optional<double> angle_deg{};        ///< in the plane
+  std::optional<double> acceleration{};     ///< null: infinite, or no posture was found
+  std::optional<double> bound{};            ///< of all postures; null: infinite
+  std::vector<ShakeClaim<Dim>> shakes{};    ///< in it, of each load
+  std::vector<SturdyCutClaim<Dim>> cuts{};  ///< that prove the bound
+  int holds{0};
+
+  void fields(auto& visit) {
+    visit("options", options, "status", status, "up", up);
+    if constexpr (Dim == 2) visit("angle_deg", angle_deg);
+    visit("acceleration", acceleration, "bound", bound, "shakes", shakes, "holds", holds);
+    visit("cuts", cuts);
+  }
 };
 
 /// The grasp as it was understood.

@@ -431,13 +431,15 @@ void add_posture(Json& result, const PlanarFile& file) {
   result["domain"] = words_of(file.domain)[static_cast<std::size_t>(file.domain)];
 }
 
+std::optional<std::vector<double>> some_above_zero(const SmallVector<double, 4>& rates) {
+  const bool any = std::any_of(rates.begin(), rates.end(), [](double rate) { return rate > 0; });
+  return any ? some(rates) : std::nullopt;
+}
+
 /// Of a Shake or a Tilting of one load.
 template <int Dim, class Found>
 ShakeProofClaim<Dim> proof_claim(const Found& found) {
-  ShakeProofClaim<Dim> claim{.y = found.cut.y};
-  const auto& rates = found.cut.rates;
-  if (std::any_of(rates.begin(), rates.end(), [](double rate) { return rate > 0; }))
-    claim.rates = some(rates);
+  ShakeProofClaim<Dim> claim{.y = found.cut.y, .rates = some_above_zero(found.cut.rates)};
   if (!found.held.empty()) claim.held = found.held.front();  // else nothing is shaken
   return claim;
 }
@@ -555,6 +557,31 @@ CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Di
 }
 
 template <int Dim>
+SturdyDocument<Dim> claims_of(const Grasp<Dim>& grasp, const SturdyAnswer<Dim>& answer) {
+  const Sturdiest<Dim>& found = answer.found;
+  SturdyDocument<Dim> claim;
+  claim.options = {.force_cap = answer.settings.force_cap,
+                   .gap = answer.settings.gap,
+                   .max_holds = answer.settings.max_holds,
+                   .tilt = answer.tilt};
+  if constexpr (Dim == 2) claim.options.domain = answer.domain;
+  claim.status = found.status;
+  claim.bound = finite(found.bound);
+  if (!found.shakes.empty()) {
+    claim.up = found.up;
+    if constexpr (Dim == 2) claim.angle_deg = degrees(angle_of(found.up));
+    claim.acceleration = finite(found.acceleration);
+  }
+  for (const Shake<Dim>& shake : found.shakes) claim.shakes.push_back(shake_claim(shake));
+  for (const ShakeCut<Dim>& cut : found.cuts) {
+    claim.cuts.push_back({.y = cut.y, .rates = some_above_zero(cut.rates)});
+    if (grasp.loads().size() > 1) claim.cuts.back().load = cut.load;
+  }
+  claim.holds = found.holds;
+  return claim;
+}
+
+template <int Dim>
 std::string document(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                      const CheckAnswer<Dim>& answer) {
   Json result = head("check");
@@ -608,9 +635,11 @@ template std::string text_of(TurnDocument<3>);
   template HoldDocument<Dim> claims_of(const Grasp<Dim>&, const HoldAnswer<Dim>&);               \
   template BestDocument<Dim> claims_of(const Grasp<Dim>&, const BestAnswer<Dim>&);               \
   template CapacityDocument<Dim> claims_of(const Grasp<Dim>&, const CapacityAnswer<Dim>&);       \
+  template SturdyDocument<Dim> claims_of(const Grasp<Dim>&, const SturdyAnswer<Dim>&);           \
   template std::string text_of(HoldDocument<Dim>);                                               \
   template std::string text_of(BestDocument<Dim>);                                               \
   template std::string text_of(CapacityDocument<Dim>);                                           \
+  template std::string text_of(SturdyDocument<Dim>);                                             \
   template std::string document(const FileOf<Dim>&, const Grasp<Dim>&, const CheckAnswer<Dim>&); \
   template Json summary(const Grasp<Dim>&, const Posture<Dim>&);                                 \
   template Json summary(const Grasp<Dim>&, const Best<Dim>&);

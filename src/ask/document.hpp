@@ -20,11 +20,13 @@ TurnDocument<3> claims_of(const Grasp<3>& grasp, const TurnAnswer<3>& answer);
 CurveDocument claims_of(const Grasp<2>& grasp, const CurveAnswer& answer);
 template <int Dim>
 CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Dim>& answer);
+template <int Dim>
+SturdyDocument<Dim> claims_of(const Grasp<Dim>& grasp, const SturdyAnswer<Dim>& answer);
 
 /// A document in lines of readable length.
 template <class Claims>
 std::string text_of(Claims claims);
-/// The JSON document of a HoldAnswer, BestAnswer, TurnAnswer, CurveAnswer or CapacityAnswer.
+/// The JSON document of an answer, as above.
 template <int Dim, class Answer>
 std::string document(const Grasp<Dim>& grasp, const Answer& answer) {
   return text_of(claims_of(grasp, answer));

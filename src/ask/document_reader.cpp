@@ -187,13 +187,16 @@ AnyDocument<Dim> read_document(const Document& document) {
   const Field root(document);
   const Field version = root.get("poise_result", "1, the version of results");
   if (version.finite() != 1) version.fail("must be 1, the version that this program knows");
-  const Field command = root.get("command", "check, hold, best, turn, curve or capacity");
-  const std::string& name = command.word({"check", "hold", "best", "turn", "curve", "capacity"});
+  const Field command =
+      root.get("command", "check, hold, best, turn, curve, capacity or sturdiest");
+  const std::string& name =
+      command.word({"check", "hold", "best", "turn", "curve", "capacity", "sturdiest"});
   if (name == "check") return read_check<Dim>(root);
   if (name == "hold") return read_claims<HoldDocument<Dim>>(root);
   if (name == "best") return read_claims<BestDocument<Dim>>(root);
   if (name == "turn") return read_claims<TurnDocument<Dim>>(root);
   if (name == "capacity") return read_claims<CapacityDocument<Dim>>(root);
+  if (name == "sturdiest") return read_claims<SturdyDocument<Dim>>(root);
   if (Dim == 3) command.fail("is curve, which is for the plane: the grasp is in space");
   return read_curve(root);
 }

@@ -10,8 +10,9 @@ namespace poise {
 
 /// What the document of some command claims of a grasp; a curve is of the plane.
 template <int Dim>
-using AnyDocument = std::variant<CheckDocument<Dim>, HoldDocument<Dim>, BestDocument<Dim>,
-                                 TurnDocument<Dim>, CapacityDocument<Dim>, CurveDocument>;
+using AnyDocument =
+    std::variant<CheckDocument<Dim>, HoldDocument<Dim>, BestDocument<Dim>, TurnDocument<Dim>,
+                 CapacityDocument<Dim>, SturdyDocument<Dim>, CurveDocument>;
 
 /// Reads the document of an answer about a grasp of this dimension.
 /// @throws FileError where it is none, lacks something or has it of a wrong type

@@ -9,7 +9,7 @@
 
 namespace poise {
 
-enum class Command { check, hold, best, turn, curve, capacity };
+enum class Command { check, hold, best, turn, curve, capacity, sturdiest };
 
 /// A question; what is not given is taken from the grasp file, else it has its default.
 struct Question {
@@ -20,7 +20,7 @@ struct Question {
   std::optional<Domain> domain{};  ///< in the plane
   std::optional<Objective> objective{};
   double force_cap{HoldSettings{}.force_cap};  ///< in weights of the heaviest load
-  std::optional<double> gap{};                 ///< in space, as are all below but the safety
+  std::optional<double> gap{};  ///< in space, as are all below but the safety; of sturdiest always
   std::optional<int> max_holds{};
   std::optional<Vector<3>> tilt_from{};
   std::optional<double> tilt_max_deg{};

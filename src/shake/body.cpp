@@ -193,7 +193,8 @@ void Body<Dim>::measure(const Goal& goal, const Wanted& wanted) {
   if (!holdable) return;
   reach = 0;
   pull_ = pulled * wanted.gap;
-  const bool spanned = span(wanted.horizon);
+  take_bound(goal);
+  const bool spanned = bound > wanted.needed && span(wanted.horizon);
   take_bound(goal);
   const auto is_near = [&] { return bound <= reach * (1 + wanted.gap) + wanted.little; };
   while (spanned) {
@@ -205,7 +206,8 @@ void Body<Dim>::measure(const Goal& goal, const Wanted& wanted) {
         *std::min_element(facets.begin(), facets.end(), by_reach);
     reach = std::max(goal.reach(nearest.n, nearest.b), 0.0);
     take_bound(goal);
-    if (reach >= wanted.far || reach >= wanted.enough || is_near() || holds >= wanted.max_holds)
+    if (reach >= wanted.far || reach >= wanted.enough || is_near() || bound <= wanted.needed ||
+        holds >= wanted.max_holds)
       break;
     if (!extend(goal, nearest, wanted)) break;
   }

@@ -39,13 +39,16 @@ struct Wanted {
   double far;      ///< reaches beyond are as good as infinite
   double horizon;  ///< how far from the center to look at all
   double enough;   ///< no longer reach is of interest
+  double needed;   ///< nor any that is not longer than this
   int max_holds;
 };
 
 template <int Dim>
 class Body {
  public:
-  Body(const Supply<Dim>& supply, const Vector<Dim>& inside) : supply_(supply), inside_(inside) {}
+  /// @param known  cuts of the supply from elsewhere
+  Body(const Supply<Dim>& supply, const Vector<Dim>& inside, std::vector<SupplyCut<Dim>> known = {})
+      : supply_(supply), inside_(inside), cuts_(std::move(known)) {}
 
   /// The greatest reach of a ball or cap about the point inside, from both sides.
   template <class Goal>
@@ -59,6 +62,7 @@ class Body {
   bool proven{true};
   int holds{0};
 
+  const std::vector<SupplyCut<Dim>>& cuts() const { return cuts_; }
   std::vector<Vector<Dim>> held() const {
     return hull_ ? hull_->corners() : std::vector<Vector<Dim>>{};
   }

@@ -4,6 +4,23 @@
 #include <cmath>
 
 namespace poise {
+namespace {
+
+/// Of the force cap: forces are at least as great as the load, and some weights in the mean.
+constexpr double part_of_cap = 1e-3;
+
+}  // namespace
+
+Wanted wanted_shake(const ShakeSettings& settings, double enough) {
+  const double far = part_of_cap * settings.force_cap * standard_gravity;
+  return {.gap = settings.gap,
+          .little = no_acceleration,
+          .far = far,
+          .horizon = 4 * far,
+          .enough = enough,
+          .needed = 0,
+          .max_holds = settings.max_holds};
+}
 
 void check_shake(const ShakeSettings& settings) {
   if (!(settings.gap > 0) || !(settings.gap < 1))

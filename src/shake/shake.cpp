@@ -14,23 +14,9 @@ namespace poise {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Of standard gravity: what is as good as no acceleration.
-constexpr double no_acceleration = 1e-9;
 constexpr double small_angle = 0.01 * std::numbers::pi / 180;
-/// Of the force cap: forces are at least as great as the load, and some weights in the mean.
-constexpr double part_of_cap = 1e-3;
 /// How far to look beside a sphere of radius 1: a simplex that far contains it.
 constexpr double around_sphere = 20;
-
-/// The settings of one load: no longer reach is of interest than that of the loads before.
-Wanted wanted_of(const ShakeSettings& settings, double reach) {
-  return {.gap = settings.gap,
-          .little = 0,
-          .far = infinity,
-          .horizon = infinity,
-          .enough = reach,
-          .max_holds = settings.max_holds};
-}
 
 /// Takes what was found of a load, with the points that are held told by `point`. Whether the load
 /// is the weakest so far.
@@ -86,20 +72,16 @@ Shake<Dim> shake(const Grasp<Dim>& grasp, const Vector<Dim>& up, const ShakeSett
     const Supply<Dim> supply(hand, load, settings.force_cap);
     const Ball<Dim> ball{supply.at(up)};
     Body<Dim> body(supply, ball.center);
-    Wanted wanted = wanted_of(settings, result.acceleration);
-    wanted.little = no_acceleration * standard_gravity;
-    wanted.far = part_of_cap * settings.force_cap * standard_gravity;
-    wanted.horizon = 4 * wanted.far;
     if (load.weight > 0)
-      body.measure(ball, wanted);
+      body.measure(ball, wanted_shake(settings, result.acceleration));
     else
       body.only_inside();
     if (take(body, k, result.acceleration, result,
              [&](const Vector<Dim>& z) { return Vector<Dim>(z - ball.center); }))
       result.direction = body.cut.n;
   }
-  drop_what_has_no_forces(hand, settings.force_cap, no_acceleration * standard_gravity,
-                          result.acceleration, result, Vector<Dim>(Vector<Dim>::Zero()),
+  drop_what_has_no_forces(hand, settings.force_cap, no_acceleration, result.acceleration, result,
+                          Vector<Dim>(Vector<Dim>::Zero()),
                           [&](std::size_t k, const Vector<Dim>& z) {
                             Load<Dim> load = grasp.loads()[k];
                             load.acceleration += z;
@@ -122,9 +104,13 @@ Tilting<Dim> tilting(const Grasp<Dim>& grasp, const Vector<Dim>& up,
     const Supply<Dim> supply(hand, load, settings.force_cap);
     const Cap<Dim> cap{supply.at(up)};
     Body<Dim> body(supply, cap.center);
-    Wanted wanted = wanted_of(settings, result.angle);
-    wanted.little = small_angle;
-    wanted.horizon = around_sphere * std::abs(supply.gravity());
+    const Wanted wanted{.gap = settings.gap,
+                        .little = small_angle,
+                        .far = infinity,
+                        .horizon = around_sphere * std::abs(supply.gravity()),
+                        .enough = result.angle,
+                        .needed = 0,
+                        .max_holds = settings.max_holds};
     const double gravity = supply.gravity();
     if (load.turning() != 0)
       body.measure(cap, wanted);

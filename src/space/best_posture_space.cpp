@@ -7,6 +7,7 @@
 #include "dual/twist.hpp"
 #include "poise/best_posture.hpp"
 #include "space/local_minima.hpp"
+#include "space/nearest_tie.hpp"
 #include "space/search.hpp"
 
 namespace poise {
@@ -170,13 +171,22 @@ void classify(const Task& task, Best<3>& best) {
       best.pinched = i;
 }
 
+Task task_of(const Grasp<3>& grasp, const SpatialSettings& settings) {
+  Task task{grasp, settings, scaled_loads(grasp, grasp.scaled(), settings.force_cap), {}};
+  if (settings.tilt) task.domain.push_back({settings.tilt->from.normalized(), settings.tilt->most});
+  return task;
+}
+
 }  // namespace
+
+bool is_interior(const Grasp<3>& grasp, const SpatialSettings& settings, const Vector<3>& up) {
+  return is_interior(task_of(grasp, settings), up);
+}
 
 Best<3> best_posture(const Grasp<3>& grasp, const SpatialSettings& settings) {
   search::check_search(settings);
   if (settings.starts < 0) throw InvalidGrasp("starts", "must be at least 0");
-  Task task{grasp, settings, scaled_loads(grasp, grasp.scaled(), settings.force_cap), {}};
-  if (settings.tilt) task.domain.push_back({settings.tilt->from.normalized(), settings.tilt->most});
+  const Task task = task_of(grasp, settings);
   Best<3> best;
   SearchState state = prove(task, best);
   if (!(state.best_value < infinity)) return best;

@@ -14,4 +14,7 @@ std::optional<Vector<3>> nearest_tie(const Grasp<3>& grasp, const SpatialSetting
                                      const Vector<3>& present, const Vector<3>& known,
                                      double lowest, double most);
 
+/// Whether a posture lies inside the domain and what can be held, with its neighbours.
+bool is_interior(const Grasp<3>& grasp, const SpatialSettings& settings, const Vector<3>& up);
+
 }  // namespace poise

@@ -9,6 +9,14 @@
 
 namespace poise::search {
 
+/// @throws InvalidGrasp for one out of its range
+inline void check_tilt(const Tilt& tilt) {
+  if (!(std::abs(tilt.from.squaredNorm() - 1) <= 1e-6))
+    throw InvalidGrasp("tilt.from", "must be a unit vector");
+  if (!(tilt.most >= 0) || !(tilt.most <= std::numbers::pi / 2 + 1e-12))
+    throw InvalidGrasp("tilt.most", "must be at least 0 and at most 90 degrees");
+}
+
 /// @throws InvalidGrasp for settings of a search out of their ranges
 template <class Settings>
 void check_search(const Settings& settings) {
@@ -17,11 +25,7 @@ void check_search(const Settings& settings) {
   if (settings.max_holds < 1) throw InvalidGrasp("max_holds", "must be at least 1");
   if (!(settings.force_cap > 0) || !(settings.force_cap <= 1e9))
     throw InvalidGrasp("force_cap", "must be above 0 and at most 1e9 weights");
-  if (!settings.tilt) return;
-  if (!(std::abs(settings.tilt->from.squaredNorm() - 1) <= 1e-6))
-    throw InvalidGrasp("tilt.from", "must be a unit vector");
-  if (!(settings.tilt->most >= 0) || !(settings.tilt->most <= std::numbers::pi / 2 + 1e-12))
-    throw InvalidGrasp("tilt.most", "must be at least 0 and at most 90 degrees");
+  if (settings.tilt) check_tilt(*settings.tilt);
 }
 
 /// Where the root of the value is a gauge: the posture is the direction of the point of the

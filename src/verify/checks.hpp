@@ -40,8 +40,10 @@ void check_capacity(Verdict& verdict, const RealGrasp& grasp, const CapacityDocu
                     const Present& present);
 /// Checks what is withstood besides the load.
 template <int Dim>
-void check_shakes(Verdict& verdict, const Grasp<Dim>& given,
-                  const CapacityDocument<Dim>& capacity);
+void check_shakes(Verdict& verdict, const Grasp<Dim>& given, const CapacityDocument<Dim>& capacity);
+template <int Dim>
+void check_sturdy(Verdict& verdict, const Grasp<Dim>& given, const RealGrasp& grasp,
+                  const SturdyDocument<Dim>& sturdy);
 
 /// Checks that forces hold the object within the force cap [weights], or the proof that none do.
 template <int Dim>

@@ -1,4 +1,6 @@
 // What is withstood besides the load: docs/certificate.md, "capacity".
+#include "verify/shake.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <numbers>
 
 #include "ask/document.hpp"
-#include "verify/checks.hpp"
 #include "verify/trig.hpp"
 
 namespace poise::verify {
@@ -14,9 +15,8 @@ namespace {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 constexpr Real pi = std::numbers::pi_v<Real>;
-constexpr Real follows = 1e-6L;  ///< of a bound, from its dual
 constexpr Real of_hull = 1e-8L;  ///< of what points in a hull reach, from their digits
-constexpr Real gap = 1e-3L, little = 1e-8L, little_angle = 0.01L * pi / 180;
+constexpr Real little_angle = 0.01L * pi / 180;
 /// Beyond this part of the force cap [g] an acceleration is infinite.
 constexpr Real part_of_cap = 1e-3L;
 
@@ -73,11 +73,8 @@ Left left_by(const RealGrasp& grasp, const Vec& up, Real gain, const ShakeProofC
              const std::vector<Real>& rates, Real cap) {
   const RealLoad& load = grasp.loads.front();
   const Vec y = real(proof.y);
-  const PowerBound power = power_bound(grasp, y, rates);
   const Vec v = gain * velocity(y, load.com);
-  const Real speed = v.norm();
-  const Real rest = power.limited + power.per_norm * cap * load.size() +
-                    delta * imbalance_power(load, y) - y.dot(wrench(load, up));
+  const Real speed = v.norm(), rest = most_power(grasp, y, rates, cap) - y.dot(wrench(load, up));
   return speed > 0 ? Left{v / speed, rest / speed} : Left{Vec::Zero(Dim), rest};
 }
 
@@ -85,28 +82,20 @@ Left left_by(const RealGrasp& grasp, const Vec& up, Real gain, const ShakeProofC
 template <int Dim>
 class Shaking {
  public:
-  Shaking(Verdict& verdict, const Grasp<Dim>& given, std::size_t load,
-          const CapacityClaim<Dim>& claim, Real cap)
+  Shaking(Verdict& verdict, const Grasp<Dim>& one, const Vector<Dim>& up, Real cap)
       : verdict_(verdict),
-        one_(given.loads()[load], given.contacts(), 1, given.mechanism()),
-        real_(real_grasp(one_)),
+        one_(one),
+        real_(real_grasp(one)),
         load_(real_.loads.front()),
-        up_(real(claim.up)),
-        claim_(claim),
+        given_up_(up),
+        up_(real(up)),
         cap_(cap) {}
 
-  void check(const Path& place) {
-    check_shake(place / "shake");
-    check_tilt(place / "tilt");
-  }
-
- private:
-  void check_shake(const Path& place) {
-    const ShakeClaim<Dim>& claim = claim_.shake;
+  void check_shake(const Path& place, const ShakeClaim<Dim>& claim) {
     const Real far = part_of_cap * cap_ * standard_gravity;
     const Real found = claim.acceleration ? Real{*claim.acceleration} : infinity;
     const Real bound = claim.bound ? Real{*claim.bound} : infinity;
-    check_sides(place, found, bound, gap * found + little, claim.proven);
+    check_sides(place, found, bound, shake_gap * found + no_acceleration, claim.proven);
     const auto rates = real_rates(verdict_, place / "proof" / "rates", real_, claim.proof.rates);
     if (!rates) return;
     const Left left =
@@ -123,18 +112,17 @@ class Shaking {
       check_unheld(place, found == 0 && bound == 0, left, claim.proven);
     }
     if (found == 0) return;
-    if (load_.weight == 0) return check_held(place, Vector<Dim>::Zero(), claim_.up);
+    if (load_.weight == 0) return check_held(place, Vector<Dim>::Zero(), given_up_);
     check_reach(
         place, std::min(found, far), [](const Side<Dim>& side) { return side.b; },
         claim.proof.held);
     for (std::size_t k = 0; k < claim.proof.held.size(); ++k)
-      check_held((place / "proof" / "held")[k], claim.proof.held[k], claim_.up);
+      check_held((place / "proof" / "held")[k], claim.proof.held[k], given_up_);
   }
 
-  void check_tilt(const Path& place) {
-    const TiltClaim<Dim>& claim = claim_.tilt;
-    const Real found = claim_.tilted, bound = claim.bound;
-    check_sides(place, found, bound, gap * found + little_angle, claim.proven);
+  void check_tilt(const Path& place, const TiltClaim<Dim>& claim, Real found) {
+    const Real bound = claim.bound;
+    check_sides(place, found, bound, shake_gap * found + little_angle, claim.proven);
     const auto rates = real_rates(verdict_, place / "proof" / "rates", real_, claim.proof.rates);
     if (!rates) return;
     const Left left = left_by(real_, up_, load_.turning(), claim.proof, *rates, cap_);
@@ -152,7 +140,7 @@ class Shaking {
       verdict_.unchecked(place / "weakest", "where all postures are held, none is the weakest");
     }
     if (found == 0) return;
-    if (load_.turning() == 0) return check_held(place, Vector<Dim>::Zero(), claim_.up);
+    if (load_.turning() == 0) return check_held(place, Vector<Dim>::Zero(), given_up_);
     check_reach(
         place, found, [&](const Side<Dim>& side) { return angle_of(Vec(side.n), side.b); },
         from_up(claim.proof.held));
@@ -160,6 +148,7 @@ class Shaking {
       check_held((place / "proof" / "held")[k], Vector<Dim>::Zero(), claim.proof.held[k]);
   }
 
+ private:
   /// How far the posture may be tilted in n . (x - up) <= b; infinite where it may be turned over.
   Real angle_of(const Vec& n, Real b) const {
     if (n.isZero(0)) return infinity;
@@ -171,7 +160,7 @@ class Shaking {
 
   std::vector<Vector<Dim>> from_up(const std::vector<Vector<Dim>>& held) const {
     std::vector<Vector<Dim>> moved;
-    for (const Vector<Dim>& x : held) moved.push_back(x - claim_.up);
+    for (const Vector<Dim>& x : held) moved.push_back(x - given_up_);
     return moved;
   }
 
@@ -236,7 +225,7 @@ class Shaking {
       // Another vector in place of up is another lift.
       load.lift = length * (standard_gravity + load.lift) - standard_gravity;
     }
-    const Vector<Dim> up = x.norm() > 0 ? Vector<Dim>(x.normalized()) : claim_.up;
+    const Vector<Dim> up = x.norm() > 0 ? Vector<Dim>(x.normalized()) : given_up_;
     const Grasp<Dim> shaken(load, one_.contacts(), 1, one_.mechanism());
     HoldAnswer<Dim> answer;
     answer.settings = {static_cast<double>(cap_), Objective::effort};
@@ -255,15 +244,32 @@ class Shaking {
   }
 
   Verdict& verdict_;
-  Grasp<Dim> one_;
+  const Grasp<Dim>& one_;
   RealGrasp real_;
   const RealLoad& load_;
+  Vector<Dim> given_up_;
   Vec up_;
-  const CapacityClaim<Dim>& claim_;
   Real cap_;
 };
 
 }  // namespace
+
+Real most_power(const RealGrasp& grasp, const Vec& y, const std::vector<Real>& rates, Real cap) {
+  const RealLoad& load = grasp.loads.front();
+  const PowerBound power = power_bound(grasp, y, rates);
+  return power.limited + power.per_norm * cap * load.size() + delta * imbalance_power(load, y);
+}
+
+template <int Dim>
+void check_shake(Verdict& verdict, const Path& place, const Grasp<Dim>& one, const Vector<Dim>& up,
+                 const ShakeClaim<Dim>& claim, Real cap) {
+  Shaking<Dim>(verdict, one, up, cap).check_shake(place, claim);
+}
+
+template void check_shake(Verdict&, const Path&, const Grasp<2>&, const Vector<2>&,
+                          const ShakeClaim<2>&, Real);
+template void check_shake(Verdict&, const Path&, const Grasp<3>&, const Vector<3>&,
+                          const ShakeClaim<3>&, Real);
 
 template <int Dim>
 void check_shakes(Verdict& verdict, const Grasp<Dim>& given,
@@ -272,8 +278,11 @@ void check_shakes(Verdict& verdict, const Grasp<Dim>& given,
     const CapacityClaim<Dim>& claim = capacity.capacities[k];
     const std::size_t load = claim.load.value_or(0);
     if (load >= given.loads().size()) continue;  // refused already
-    Shaking<Dim>(verdict, given, load, claim, capacity.options.force_cap)
-        .check((Path() / "capacities")[k]);
+    const Grasp<Dim> one(given.loads()[load], given.contacts(), 1, given.mechanism());
+    Shaking<Dim> shaking(verdict, one, claim.up, capacity.options.force_cap);
+    const Path place = (Path() / "capacities")[k];
+    shaking.check_shake(place / "shake", claim.shake);
+    shaking.check_tilt(place / "tilt", claim.tilt, claim.tilted);
   }
 }
 

@@ -119,6 +119,9 @@ struct Checker {
     check_capacity(verdict, grasp, capacity, now);
     check_shakes(verdict, given, capacity);
   }
+  void operator()(const SturdyDocument<Dim>& sturdy) {
+    check_sturdy(verdict, given, grasp, sturdy);
+  }
   void operator()(const CurveDocument& curve) {
     check_curve(verdict, grasp, curve);
     check_present(curve.options);

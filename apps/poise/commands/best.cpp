@@ -1,4 +1,4 @@
-// poise best: the posture in which the fingers press least.
+// poise best: the posture in which the fingers press least, or that withstands most.
 #include <algorithm>
 
 #include "answer.hpp"
@@ -9,6 +9,8 @@ namespace {
 
 /// Ranks the candidates of a file.
 Reply rank(const Asked& asked, const std::string& table) {
+  if (asked.question.command == Command::sturdiest)
+    throw UsageError("--objective: sturdy does not rank --candidates, ask for grip or effort");
   return with_grasp(asked.file, [&]<class File>(const File& file, const auto& grasp) -> Reply {
     constexpr int Dim = std::is_same_v<File, PlanarFile> ? 2 : 3;
     warn(file.warnings);
@@ -27,7 +29,7 @@ const Subcommand best_command{
     "best", "The posture in which the fingers press least", [](Flags& flags) -> Run {
       const auto asked = declare_question(flags, Command::best);
       const auto candidates = std::make_shared<std::string>();
-      flags.search(asked->question);
+      flags.search(asked->question, true);
       flags.turned(asked->question);
       flags.file("--candidates", "CSV", "Rank these postures: quaternions or ups, with a header",
                  *candidates);

@@ -8,6 +8,7 @@
 
 #include "tables/parts.hpp"
 #include "tables/report.hpp"
+#include "tables/shake.hpp"
 
 namespace poise {
 namespace {
@@ -145,30 +146,15 @@ std::string command_text(const Grasp<Dim>& grasp, const Hold<Dim>& hold) {
          (unit == GripUnit::part_of_max ? ")" : ": " + plain(most) + " " + to_string(unit) + ")");
 }
 
-/// The acceleration that is withstood besides the load.
-template <int Dim>
-std::string shake_text(const Shake<Dim>& found) {
-  if (!found.holdable) return "nothing: the posture itself is not held";
-  const auto text = [](double acceleration) {
-    return fmt::format("{} m/s² ({} g)", plain(acceleration), plain(acceleration / standard_gravity));
-  };
-  if (std::isinf(found.acceleration)) return "any acceleration";
-  const std::string open = found.proven ? ""
-                           : std::isinf(found.bound)
-                               ? "; that it is no more is not proven"
-                               : "; that it is no more is proven only of more than " + text(found.bound);
-  return text(found.acceleration) + " in any direction, weakest along " +
-         vector_text(found.direction, 2) + open;
-}
-
 template <int Dim>
 std::string tilt_text(const Tilting<Dim>& found) {
   if (!found.holdable) return "nothing: the posture itself is not held";
   if (found.angle >= std::numbers::pi) return "any way up";
   return fmt::format("{}° in any direction{}", plain(found.angle * 180 / std::numbers::pi),
-                     found.proven ? ""
-                                  : fmt::format("; that it is no more is proven only of more than {}°",
-                                                plain(found.bound * 180 / std::numbers::pi)));
+                     found.proven
+                         ? ""
+                         : fmt::format("; that it is no more is proven only of more than {}°",
+                                       plain(found.bound * 180 / std::numbers::pi)));
 }
 
 /// One posture, against all loads: what decides is the load that leaves least.
@@ -195,11 +181,10 @@ std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
   const CapacityAt<Dim>& first = *loads.front();
   Table table({"<", "<"});
   const WeightRange<Dim>& range = heaviest.capacity.weights;
-  table.add({"greatest weight",
-             greatest_text(range, given(heaviest)) + load_text(grasp, heaviest.load)});
+  table.add(
+      {"greatest weight", greatest_text(range, given(heaviest)) + load_text(grasp, heaviest.load)});
   if (range.holdable && range.least.weight > 0)
-    table.add(
-        {"least weight", weight_text(range.least.weight) + load_text(grasp, heaviest.load)});
+    table.add({"least weight", weight_text(range.least.weight) + load_text(grasp, heaviest.load)});
   table.add({"least friction", friction_text(grasp, slippery.capacity.friction, file.safety) +
                                    load_text(grasp, slippery.load)});
   const std::string on_friction = fmt::format(

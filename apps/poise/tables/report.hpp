@@ -28,5 +28,8 @@ std::string report(const PlanarFile& file, const Grasp<2>& grasp, const CurveAns
 template <int Dim>
 std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                    const CapacityAnswer<Dim>& answer, const Style& style);
+template <int Dim>
+std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
+                   const SturdyAnswer<Dim>& answer, const Style& style);
 
 }  // namespace poise
