@@ -554,7 +554,8 @@ TEST(Verify, NamesWhatIsMissing) {
   EXPECT_NE(problem(best.dump()).find("best.effort: is missing, must be a number"),
             std::string::npos);
   EXPECT_EQ(problem("{\"poise_result\": 1,\n \"command\": 3}"),
-            "result.json:2:13: command: is 3, must be check, hold, best, turn, curve or capacity");
+            "result.json:2:13: command: is 3, must be check, hold, best, turn, curve, capacity or "
+            "sturdiest");
   EXPECT_EQ(problem("[1]"), "result.json:1:1: is a list of 1, must be a mapping");
   EXPECT_EQ(problem("{\"a\": 1, \"a\": 2}"), "result.json:1:10: \"a\" is given twice");
   EXPECT_NE(problem("{\"poise_result\": 2}").find("must be 1"), std::string::npos);
