@@ -253,6 +253,54 @@ TEST(Shake, OfFourGraspsIsThatOfAConeSolver) {
   }
 }
 
+/// Directions over all of the sphere; from any other one of them is less than 0.06 away.
+std::vector<Vector<3>> dense_directions() {
+  const int count = 2000;
+  std::vector<Vector<3>> directions;
+  for (int k = 0; k < count; ++k) {
+    const double z = 1 - (2 * k + 1.0) / count, turn = 2 * pi * k / std::numbers::phi;
+    const double radius = std::sqrt(1 - z * z);
+    directions.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
+  }
+  return directions;
+}
+
+/// How far is held in the weakest of many directions: what is held is convex, so that where all
+/// directions hold, all that lies between does, but for the cosine of half of their distance.
+double least_end(const Grasp<3>& grasp, double start) {
+  double least = start;
+  for (const Vector<3>& n : dense_directions()) {
+    if (is_held<3>(grasp, upright, least * n)) continue;
+    double from = 0;
+    while (least - from > 1e-5 * start) {
+      const double middle = (from + least) / 2;
+      (is_held<3>(grasp, upright, middle * n) ? from : least) = middle;
+    }
+  }
+  return least;
+}
+
+TEST(Shake, IsTheLeastOfManyDirections) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> part(0, 1);
+  std::vector<Grasp<3>> grasps = {two_soft(), three_points(), four_points(), two_pads()};
+  while (grasps.size() < 8) {  // with another com, fixed wrenches and drives
+    const Grasp<3> grasp = with_loads(grasps[grasps.size() - 4], [&](Load<3>& load) {
+      load.com += 0.01 * random_direction<3>(random);
+      load.fixed = wrench_of<3>(part(random) * random_direction<3>(random), load.com);
+      load.acceleration = part(random) * random_direction<3>(random);
+    });
+    grasps.push_back(grasp);
+  }
+  for (const Grasp<3>& grasp : grasps) {
+    const Shake<3> found = shake<3>(grasp, upright);
+    ASSERT_TRUE(found.holdable && found.proven);
+    const double least = least_end(grasp, 1.1 * found.bound);
+    EXPECT_GE(least, found.acceleration * (1 - 1e-6));
+    EXPECT_LE(least, found.bound / std::cos(0.06) + 1e-5 * found.bound);
+  }
+}
+
 /// A block between two fingers: what presses is left over from pushing sideways.
 TEST(Shake, OfTwoOpposedFingersIsADistanceFromADiamond) {
   for (const double mu : {0.2, 0.5, 1.0}) {
