@@ -75,21 +75,25 @@ def main():
     if h5py is not None:
         with h5py.File(options.file) as file:
             moved = file["grasps/qualities/flex/object_motion_during_closing_linear"][()]
-    print("fingers apart  grasps  held  held by shake()  area", end="")
-    print("  moved in closing  area of that" if moved is not None else "")
+    print("fingers apart  grasps  held  by shake()  area", end="")
+    print("  moved in closing: held  lost  area of that" if h5py else "")
     for least, most in [(0, 20), (20, 70), (70, 82)]:
         part = (1e3 * apart >= least) & (1e3 * apart < most)
         if not part.any() or held[part].all() or not held[part].any():
             continue
         print(
             f"{least:2} to {most} mm    {part.sum():6} {held[part].mean():5.0%} "
-            f"{np.mean(shakes[part] > 0):16.0%} {area(shakes[part], held[part]):5.2f}",
-            end="",
+            f"{np.mean(shakes[part] > 0):11.0%} {area(shakes[part], held[part]):5.2f}",
+            end="" if h5py else "\n",
         )
-        if moved is None:
-            print()
-            continue
-        print(f" {1e3 * np.median(moved[part]):14.0f} mm {area(-moved[part], held[part]):13.2f}")
+        if h5py:
+            medians = [1e3 * np.median(moved[part & which]) for which in (held, ~held)]
+            print("{:21.0f} mm {:2.0f} mm".format(*medians), end="")
+            print(f" {area(-moved[part], held[part]):13.2f}")
+    if h5py:
+        for words, which in [("", shakes > 0), ("not ", shakes == 0)]:
+            median = 1e3 * np.median(moved[held & which])
+            print(f"held, and {words}by shake(): moved by {median:.0f} mm in closing")
 
 
 main()

@@ -399,6 +399,45 @@ TEST(Shake, IsNothingWhereThePostureIsNotHeld) {
   EXPECT_EQ(shake<2>(side, {0, 1}).acceleration, 0);
 }
 
+/// The rim of a light mug between drives that could hold 500 times as much: friction ends a few
+/// m/s^2 away on one side, the drives a few thousand on the other.
+Grasp<3> light_mug(std::mt19937& random) {
+  Contact<3> left = finger({-0.038, -0.0012, 0.127}, {0.973, 0.229, 0}, 1, "f0");
+  left.pad = Pad{.points = {{0, 0, 0}},
+                 .shares = {1},
+                 .axis = {0.205, -0.869, -0.45},
+                 .reach = {0.0034, 0.0028}};
+  Contact<3> right = finger({-0.0341, 0.0071, 0.1443}, {-0.978, 0.208, 0}, 1, "f1");
+  right.pad = Pad{
+      .points = {{-0.0008, -0.0039, 0.0066}, {-0.0002, -0.001, 0.0015}, {0.001, 0.0049, -0.0081}},
+      .shares = {1.0 / 3, 1.0 / 3, 1.0 / 3},
+      .axis = {0.183, 0.859, -0.477},
+      .reach = {0.0129, 0.0048}};
+  for (Contact<3>* contact : {&left, &right}) {
+    contact->position += 0.003 * random_direction<3>(random);
+    contact->normal += 0.05 * random_direction<3>(random);
+  }
+  const Load<3> load{.weight = 0.128, .com = {0, -0.0021, 0.0939}};
+  return {load, {left, right}, 1, limited<3>(2, 70, DriveKind::coupled)};
+}
+
+TEST(Shake, OfALightObjectBetweenStrongDrivesIsFound) {
+  std::mt19937 random(8);
+  int shaken = 0, unproven = 0;
+  for (int k = 0; k < 100; ++k) {
+    const Grasp<3> grasp = light_mug(random);
+    const Shake<3> found = shake<3>(grasp, upright);
+    if (!found.holdable) continue;
+    // Rounding at the border of friction may leave more than the gap.
+    EXPECT_LE(found.bound, 1.02 * found.acceleration + 1e-6) << k;
+    unproven += found.proven ? 0 : 1;
+    shaken += found.acceleration > 0.1 ? 1 : 0;
+    check<3>(grasp, upright, found, random, 10);
+  }
+  EXPECT_GT(shaken, 50);
+  EXPECT_LE(unproven, 10);
+}
+
 /// Hard fingers do not resist a turn about the line between them: only in one plane is there
 /// anything to gain, and that has no size.
 TEST(Shake, OfTwoHardFingersBesideTheCentreIsNothing) {
