@@ -194,7 +194,7 @@ BENCHMARK(space_shake<Objective::grip>)
 BENCHMARK(motion_of_100000_rows<Objective::effort>)
     ->UseManualTime()
     ->ArgName("contacts")
-    ->Iterations(5)
+    ->Iterations(11)
     ->Arg(2)
     ->Arg(4);
 BENCHMARK(motion_of_100000_rows<Objective::grip>)
