@@ -253,6 +253,54 @@ TEST(Shake, OfFourGraspsIsThatOfAConeSolver) {
   }
 }
 
+/// Directions over all of the sphere; from any other one of them is less than 0.06 away.
+std::vector<Vector<3>> dense_directions() {
+  const int count = 2000;
+  std::vector<Vector<3>> directions;
+  for (int k = 0; k < count; ++k) {
+    const double z = 1 - (2 * k + 1.0) / count, turn = 2 * pi * k / std::numbers::phi;
+    const double radius = std::sqrt(1 - z * z);
+    directions.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
+  }
+  return directions;
+}
+
+/// How far is held in the weakest of many directions: what is held is convex, so that where all
+/// directions hold, all that lies between does, but for the cosine of half of their distance.
+double least_end(const Grasp<3>& grasp, double start) {
+  double least = start;
+  for (const Vector<3>& n : dense_directions()) {
+    if (is_held<3>(grasp, upright, least * n)) continue;
+    double from = 0;
+    while (least - from > 1e-5 * start) {
+      const double middle = (from + least) / 2;
+      (is_held<3>(grasp, upright, middle * n) ? from : least) = middle;
+    }
+  }
+  return least;
+}
+
+TEST(Shake, IsTheLeastOfManyDirections) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> part(0, 1);
+  std::vector<Grasp<3>> grasps = {two_soft(), three_points(), four_points(), two_pads()};
+  while (grasps.size() < 8) {  // with another com, fixed wrenches and drives
+    const Grasp<3> grasp = with_loads(grasps[grasps.size() - 4], [&](Load<3>& load) {
+      load.com += 0.01 * random_direction<3>(random);
+      load.fixed = wrench_of<3>(part(random) * random_direction<3>(random), load.com);
+      load.acceleration = part(random) * random_direction<3>(random);
+    });
+    grasps.push_back(grasp);
+  }
+  for (const Grasp<3>& grasp : grasps) {
+    const Shake<3> found = shake<3>(grasp, upright);
+    ASSERT_TRUE(found.holdable && found.proven);
+    const double least = least_end(grasp, 1.1 * found.bound);
+    EXPECT_GE(least, found.acceleration * (1 - 1e-6));
+    EXPECT_LE(least, found.bound / std::cos(0.06) + 1e-5 * found.bound);
+  }
+}
+
 /// A block between two fingers: what presses is left over from pushing sideways.
 TEST(Shake, OfTwoOpposedFingersIsADistanceFromADiamond) {
   for (const double mu : {0.2, 0.5, 1.0}) {
@@ -349,6 +397,45 @@ TEST(Shake, IsNothingWhereThePostureIsNotHeld) {
   const Grasp<2> side({.weight = 1}, {{.position = {-1, 0}, .normal = {1, 0}, .friction = 0.5}});
   EXPECT_FALSE(shake<2>(side, {0, 1}).holdable);
   EXPECT_EQ(shake<2>(side, {0, 1}).acceleration, 0);
+}
+
+/// The rim of a light mug between drives that could hold 500 times as much: friction ends a few
+/// m/s^2 away on one side, the drives a few thousand on the other.
+Grasp<3> light_mug(std::mt19937& random) {
+  Contact<3> left = finger({-0.038, -0.0012, 0.127}, {0.973, 0.229, 0}, 1, "f0");
+  left.pad = Pad{.points = {{0, 0, 0}},
+                 .shares = {1},
+                 .axis = {0.205, -0.869, -0.45},
+                 .reach = {0.0034, 0.0028}};
+  Contact<3> right = finger({-0.0341, 0.0071, 0.1443}, {-0.978, 0.208, 0}, 1, "f1");
+  right.pad = Pad{
+      .points = {{-0.0008, -0.0039, 0.0066}, {-0.0002, -0.001, 0.0015}, {0.001, 0.0049, -0.0081}},
+      .shares = {1.0 / 3, 1.0 / 3, 1.0 / 3},
+      .axis = {0.183, 0.859, -0.477},
+      .reach = {0.0129, 0.0048}};
+  for (Contact<3>* contact : {&left, &right}) {
+    contact->position += 0.003 * random_direction<3>(random);
+    contact->normal += 0.05 * random_direction<3>(random);
+  }
+  const Load<3> load{.weight = 0.128, .com = {0, -0.0021, 0.0939}};
+  return {load, {left, right}, 1, limited<3>(2, 70, DriveKind::coupled)};
+}
+
+TEST(Shake, OfALightObjectBetweenStrongDrivesIsFound) {
+  std::mt19937 random(8);
+  int shaken = 0, unproven = 0;
+  for (int k = 0; k < 100; ++k) {
+    const Grasp<3> grasp = light_mug(random);
+    const Shake<3> found = shake<3>(grasp, upright);
+    if (!found.holdable) continue;
+    // Rounding at the border of friction may leave more than the gap.
+    EXPECT_LE(found.bound, 1.02 * found.acceleration + 1e-6) << k;
+    unproven += found.proven ? 0 : 1;
+    shaken += found.acceleration > 0.1 ? 1 : 0;
+    check<3>(grasp, upright, found, random, 10);
+  }
+  EXPECT_GT(shaken, 50);
+  EXPECT_LE(unproven, 10);
 }
 
 /// Hard fingers do not resist a turn about the line between them: only in one plane is there

@@ -3,6 +3,7 @@
 
 #include "ask/question.hpp"
 #include "batch/record.hpp"
+#include "files.hpp"
 #include "module.hpp"
 #include "values.hpp"
 
@@ -30,6 +31,11 @@ struct AcronymFile {
   std::string file;
   Acronym data;
 };
+
+std::size_t checked(const AcronymFile& file, std::size_t n) {
+  if (n >= file.data.size()) throw py::index_error("no such grasp");
+  return n;
+}
 
 /// A function that takes a question by keywords, after the arguments of `answer`.
 template <class... Arguments, class Answer, class... Extra>
@@ -70,7 +76,20 @@ void add_batch(py::module_& module) {
              return AcronymFile{file, {file, mesh_root}};
            }),
            py::arg("file"), py::arg("mesh_root"))
-      .def("__len__", [](const AcronymFile& file) { return file.data.size(); });
+      .def("__len__", [](const AcronymFile& file) { return file.data.size(); })
+      .def(
+          "grasp",
+          [](const AcronymFile& file, std::size_t n) {
+            return write(grasp_of_acronym(file.data, checked(file, n)));
+          },
+          py::arg("n"),
+          "Grasp n, from 0, as poise import makes it, with the contacts of the hand. Raises "
+          "FileError,\nalso where the hand misses the object.")
+      .def(
+          "held",
+          [](const AcronymFile& file, std::size_t n) { return file.data.held(checked(file, n)); },
+          py::arg("n"),
+          "Whether grasp n held the object when it was shaken, in the simulation of the data set.");
   define<const AcronymFile&, std::size_t, std::size_t>(
       acronym, "answer_record",
       [](const AcronymFile& file, std::size_t grasp, std::size_t record, const Question& asked) {

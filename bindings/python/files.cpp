@@ -1,4 +1,5 @@
-#include "files/grasp_file.hpp"
+#include "files.hpp"
+
 #include "files/grasp_writer.hpp"
 #include "module.hpp"
 #include "values.hpp"
@@ -49,11 +50,11 @@ py::object write(const SpatialFile& file) {
   return result;
 }
 
+}  // namespace
+
 py::object write(const GraspFile& file) {
   return std::visit([](const auto& either) { return write(either); }, file);
 }
-
-}  // namespace
 
 void add_files(py::module_& module) {
   module.def(

@@ -37,6 +37,7 @@ PYBIND11_MODULE(_core, module) {
   poise::python::add_best(module);
   poise::python::add_capacity(module);
   poise::python::add_motion(module);
+  poise::python::add_shake(module);
   poise::python::add_turn(module);
   poise::python::add_verify(module);
   poise::python::add_files(module);

@@ -11,6 +11,7 @@ void add_curve(pybind11::module_& module);
 void add_best(pybind11::module_& module);
 void add_capacity(pybind11::module_& module);
 void add_motion(pybind11::module_& module);
+void add_shake(pybind11::module_& module);
 void add_turn(pybind11::module_& module);
 void add_verify(pybind11::module_& module);
 void add_batch(pybind11::module_& module);

@@ -15,6 +15,9 @@ constexpr double longest_corner = 30;  ///< of the first simplex, of its shortes
 constexpr double pulled = 0.01;
 constexpr int most_probes = 60;      ///< along one ray
 constexpr double first_step = 1e-3;  ///< before its end
+/// After so many of them ever nearer: with drives that are much stronger than the load needs, cuts
+/// far out say little of where friction ends.
+constexpr int patient_probes = 8;
 
 /// Where to ask along a ray: at its end, as far as cuts allow; where that comes nearer no more, in
 /// longer and longer steps before it.
@@ -23,7 +26,8 @@ struct Probes {
   double end{infinity}, shorter{0};
 
   double next(double new_end) {
-    if (new_end > end * (1 - step)) shorter = shorter == 0 ? step : 4 * shorter;
+    if (new_end > end * (1 - step))
+      shorter = shorter == 0 ? step : std::min(4 * shorter, (1 + shorter) / 2);
     end = new_end;
     return end * (1 - shorter);
   }
@@ -108,7 +112,8 @@ template <int Dim>
 std::optional<Vector<Dim>> Body<Dim>::look_along(const Vector<Dim>& direction, double far) {
   Probes probes{first_step};
   for (int k = 0; k < most_probes; ++k) {
-    const double end = probes.next(end_of(direction, far));
+    double end = probes.next(end_of(direction, far));
+    if (k > patient_probes) end *= std::pow(0.5, k - patient_probes);
     if (!(end > 0)) return {};
     const std::optional<Vector<Dim>> found = look(inside_ + end * direction).on_line;
     if (found && (*found - inside_).norm() > 1e-9 * end) return found;

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double small_angle = 0.01 * std::numbers::pi / 180;
+/// By which parts what is held is drawn towards the middle where rounding decides at its border.
+constexpr double nearer[] = {1e-4, 1e-3, 1e-2};
 /// How far to look beside a sphere of radius 1: a simplex that far contains it.
 constexpr double around_sphere = 20;
 
@@ -35,19 +37,46 @@ bool take(const Body<Dim>& body, std::size_t load, double& reach, Result& result
   return true;
 }
 
+/// Draws what is held towards the middle: its hull is smaller by a part, and so is the ball in it.
+template <int Dim>
+bool draw_nearer(Shake<Dim>& result, double part) {
+  if (!std::isfinite(result.acceleration)) return false;
+  result.acceleration *= 1 - part;
+  for (auto& held : result.held)
+    for (Vector<Dim>& x : held) x *= 1 - part;
+  return true;
+}
+template <int Dim>
+bool draw_nearer(Tilting<Dim>&, double) {  // of a cap it is not known how much smaller it is
+  return false;
+}
+
 /// Where rounding decides, what was found to be held may not be by a hold of its own, with forces
-/// that can be shown. Then nothing is told of it.
+/// that can be shown. Then less is told of it, or nothing.
 template <int Dim, class Result, class LoadAt>
-void drop_what_has_no_forces(const Hand<Dim>& hand, double force_cap, double little, double& reach,
-                             Result& result, const Vector<Dim>& inside, const LoadAt& load_at) {
+void drop_what_has_no_forces(const Hand<Dim>& hand, const ShakeSettings& settings, double little,
+                             double& reach, Result& result, const Vector<Dim>& inside,
+                             const LoadAt& load_at) {
   const auto is_held = [&](std::size_t k, const Vector<Dim>& z) {
     const auto [load, up] = load_at(k, z);
-    return hold<Dim>(hand, load, up, {.force_cap = force_cap}).holdable;
+    return hold<Dim>(hand, load, up, {.force_cap = settings.force_cap}).holdable;
+  };
+  const auto all_held = [&] {
+    for (std::size_t k = 0; k < result.held.size(); ++k)
+      for (const Vector<Dim>& z : result.held[k])
+        if (!is_held(k, z)) return false;
+    return true;
   };
   bool all = true;
-  for (std::size_t k = 0; k < result.held.size(); ++k) {
-    all = all && (!result.holdable || is_held(k, inside));
-    for (const Vector<Dim>& z : result.held[k]) all = all && is_held(k, z);
+  for (std::size_t k = 0; k < result.held.size() && result.holdable; ++k)
+    all = all && is_held(k, inside);
+  if (all) {
+    all = all_held();
+    for (const double part : nearer) {
+      if (all || !draw_nearer(result, part)) break;
+      all = all_held();
+      result.proven = result.bound <= reach * (1 + settings.gap) + little;
+    }
   }
   if (all) {
     reach = std::min(reach, result.bound);  // else above it by rounding
@@ -80,7 +109,7 @@ Shake<Dim> shake(const Grasp<Dim>& grasp, const Vector<Dim>& up, const ShakeSett
              [&](const Vector<Dim>& z) { return Vector<Dim>(z - ball.center); }))
       result.direction = body.cut.n;
   }
-  drop_what_has_no_forces(hand, settings.force_cap, no_acceleration, result.acceleration, result,
+  drop_what_has_no_forces(hand, settings, no_acceleration, result.acceleration, result,
                           Vector<Dim>(Vector<Dim>::Zero()),
                           [&](std::size_t k, const Vector<Dim>& z) {
                             Load<Dim> load = grasp.loads()[k];
@@ -123,7 +152,7 @@ Tilting<Dim> tilting(const Grasp<Dim>& grasp, const Vector<Dim>& up,
   result.angle = std::min(result.angle, pi);
   result.bound = std::min(result.bound, pi);
   // Another vector in place of up is another lift.
-  drop_what_has_no_forces(hand, settings.force_cap, small_angle, result.angle, result, up,
+  drop_what_has_no_forces(hand, settings, small_angle, result.angle, result, up,
                           [&](std::size_t k, const Vector<Dim>& z) {
                             Load<Dim> load = grasp.loads()[k];
                             const double length = z.norm();

@@ -17,32 +17,62 @@
 
 namespace poise::test::physics {
 
+struct Free {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+using Model = std::unique_ptr<mjModel, Free>;
+using Data = std::unique_ptr<mjData, Free>;
+
+/// What a document says.
+inline Model model_of(const std::string& xml) {
+  mjVFS files;
+  mj_defaultVFS(&files);
+  const char* name = "scene.xml";
+  mj_makeEmptyFileVFS(&files, name, static_cast<int>(xml.size()));
+  std::memcpy(files.filedata[0], xml.data(), xml.size());
+  char problem[1000] = "";
+  Model model(mj_loadXML(name, &files, problem, sizeof problem));
+  mj_deleteVFS(&files);
+  if (!model) throw std::runtime_error(std::string(problem) + "\n" + xml);
+  return model;
+}
+
+/// Numbers as documents have them.
+inline std::string text(const Vector<3>& v) {
+  std::ostringstream out;
+  out.precision(17);
+  out << v.x() << ' ' << v.y() << ' ' << v.z();
+  return out.str();
+}
+
 /// One finger for each contact: a small ball that slides along the inward normal alone, pressed on
-/// a flat pad of the object at the contact's position. Only these pairs touch. The weight acts on
+/// a flat pad of the object at the contact's position. Only these pairs touch. The load acts on
 /// the object alone, so that fingers weigh nothing.
 class Scene {
  public:
+  /// The centre of mass is the hand's center.
+  /// @param weight         of the object [N]
+  /// @param load           what the contacts must supply, about the object frame's origin
   /// @param normal_forces  one for each contact
   /// @param friction       what friction and torsion are multiplied by
-  Scene(const Grasp<3>& grasp, const Vector<3>& up, const std::vector<double>& normal_forces,
-        double friction)
-      : grasp_(grasp) {
-    const std::string xml = document(normal_forces, friction);
-    mjVFS files;
-    mj_defaultVFS(&files);
-    const char* name = "scene.xml";
-    mj_makeEmptyFileVFS(&files, name, static_cast<int>(xml.size()));
-    std::memcpy(files.filedata[0], xml.data(), xml.size());
-    char problem[1000] = "";
-    model_.reset(mj_loadXML(name, &files, problem, sizeof problem));
-    mj_deleteVFS(&files);
-    if (!model_) throw std::runtime_error(std::string(problem) + "\n" + xml);
+  Scene(const Hand<3>& hand, double weight, const Wrench<3>& load,
+        const std::vector<double>& normal_forces, double friction)
+      : hand_(hand), weight_(weight), model_(model_of(document(normal_forces, friction))) {
     data_.reset(mj_makeData(model_.get()));
-    const Vector<3> weight = -grasp.size() * up;
-    for (int k = 0; k < 3; ++k) data_->xfrc_applied[6 * object + k] = weight[k];
+    const Vector<3> force = load.head<3>();
+    const Vector<3> moment = load.tail<3>() - hand_.center().cross(force);
+    for (int k = 0; k < 3; ++k) {
+      data_->xfrc_applied[6 * object + k] = -force[k];
+      data_->xfrc_applied[6 * object + 3 + k] = -moment[k];
+    }
     for (std::size_t k = 0, motor = 0; k < normal_forces.size(); ++k)
       if (presses(normal_forces[k])) data_->ctrl[motor++] = normal_forces[k];
   }
+  /// Against the grasp's load in the posture `up`.
+  Scene(const Grasp<3>& grasp, const Vector<3>& up, const std::vector<double>& normal_forces,
+        double friction)
+      : Scene(grasp, grasp.size(), grasp.loads().front().at(up), normal_forces, friction) {}
 
   /// Presses for a while, after contact has been made with twice the friction, or the object would
   /// begin with a small fall. @return how far the centre of mass, or a point beside it at the
@@ -58,12 +88,12 @@ class Scene {
     const Eigen::Quaterniond turned_before = turned();
     while (data_->time < contact_made + seconds) mj_step(model_.get(), data_.get());
     return (Vector<3>(data_->qpos) - before).norm() +
-           turned().angularDistance(turned_before) * grasp_.radius();
+           turned().angularDistance(turned_before) * hand_.radius();
   }
 
  private:
   static constexpr int object = 1;  // body 0 is the world
-  static constexpr double ball = 0.01, pad = 0.05, gravity = 9.80665;
+  static constexpr double ball = 0.01, pad = 0.05, gravity = standard_gravity;
 
   /// The object's orientation: after its position.
   Eigen::Quaterniond turned() const {
@@ -71,24 +101,17 @@ class Scene {
     return {q[0], q[1], q[2], q[3]};
   }
 
-  static std::string text(const Vector<3>& v) {
-    std::ostringstream out;
-    out.precision(17);
-    out << v.x() << ' ' << v.y() << ' ' << v.z();
-    return out.str();
-  }
-
-  bool presses(double normal_force) const { return normal_force > 1e-9 * grasp_.size(); }
+  bool presses(double normal_force) const { return normal_force > 1e-9 * weight_; }
 
   std::string document(const std::vector<double>& normal_forces, double friction) const {
-    const Vector<3> com = grasp_.center();
-    const double mass = grasp_.size() / gravity;
-    const double inertia = 0.4 * mass * grasp_.radius() * grasp_.radius();
+    const Vector<3> com = hand_.center();
+    const double mass = weight_ / gravity;
+    const double inertia = 0.4 * mass * hand_.radius() * hand_.radius();
     std::ostringstream pads, fingers, pairs, motors;
     for (std::ostringstream* out : {&pads, &fingers, &pairs, &motors}) out->precision(17);
-    for (std::size_t k = 0; k < grasp_.contacts().size(); ++k) {
+    for (std::size_t k = 0; k < hand_.contacts().size(); ++k) {
       if (!presses(normal_forces[k])) continue;
-      const Contact<3>& c = grasp_.contacts()[k];
+      const Contact<3>& c = hand_.contacts()[k];
       const Vector<3>& n = c.normal;
       pads << "<geom name='pad" << k << "' type='box' size='" << pad << ' ' << pad << ' ' << pad
            << "' pos='" << text(c.position + pad * n - com) << "' zaxis='" << text(n)
@@ -120,13 +143,10 @@ class Scene {
     return xml.str();
   }
 
-  struct Free {
-    void operator()(mjModel* model) const { mj_deleteModel(model); }
-    void operator()(mjData* data) const { mj_deleteData(data); }
-  };
-  Grasp<3> grasp_;
-  std::unique_ptr<mjModel, Free> model_;
-  std::unique_ptr<mjData, Free> data_;
+  Hand<3> hand_;
+  double weight_;
+  Model model_;
+  Data data_;
 };
 
 }  // namespace poise::test::physics

@@ -17,6 +17,7 @@ import poise
 
 ROOT = Path(__file__).parents[2]
 PROGRAM = os.environ["POISE_PROGRAM"]
+ACRONYM = Path(os.environ.get("POISE_DATA", "/nowhere"), "acronym")
 
 
 def disk(mu1=1.0, mu2=1 / math.sqrt(3), phi=math.radians(75), weight=10.0):
@@ -1184,6 +1185,68 @@ class Capacities(unittest.TestCase):
                 self.check_hold(capacity.safe, shown["command"])
                 self.assertEqual(capacity.safe.grip, shown["command"]["grip"])
 
+    def check_proof(self, found, shown):
+        self.assertEqual(found.proven, shown.get("proven", True))
+        near = {"rtol": 1e-6, "atol": 1e-6}
+        np.testing.assert_allclose(found.cut.y, shown["proof"]["y"], **near)
+        rates = found.cut.rates if found.cut.rates.any() else []
+        np.testing.assert_allclose(rates, shown["proof"].get("rates", []), **near)
+        held = found.held[0] if found.held else []
+        self.assertEqual(len(held), len(shown["proof"]["held"]))
+        if len(held):
+            np.testing.assert_allclose(held, shown["proof"]["held"], **near)
+
+    def check_shake(self, file):
+        """Of each load alone, as the program says."""
+        read = poise.load(file)
+        loads = read.loads
+        up = [0] * (read.grasp().dimension - 1) + [1]
+        for shown in answer("capacity", file, "--up", ",".join(map(str, up)))["capacities"]:
+            read.loads = [loads[shown.get("load", 0)]]
+            found, told = poise.shake(read.grasp(), up), shown["shake"]
+            for number, expected in [
+                (found.acceleration, told["acceleration"]),
+                (found.bound, told["bound"]),
+            ]:
+                expected = math.inf if expected is None else expected
+                np.testing.assert_allclose(number, expected, rtol=1e-7)
+            if told["direction"] is not None:
+                np.testing.assert_allclose(found.direction, told["direction"], atol=1e-6)
+            self.check_proof(found, told)
+            tilted, told = poise.tilting(read.grasp(), up), shown["tilt"]
+            self.assertAlmostEqual(math.degrees(tilted.angle), shown["tilt_deg"], delta=1e-5)
+            self.assertAlmostEqual(math.degrees(tilted.bound), told["bound_deg"], delta=1e-5)
+            if told["weakest"] is not None:
+                np.testing.assert_allclose(tilted.up, told["weakest"], atol=1e-6)
+            self.check_proof(tilted, told)
+            holdable = poise.hold(read.grasp(), up).holdable
+            self.assertEqual([found.holdable, tilted.holdable], [holdable, holdable])
+
+    def test_shake_and_tilt_are_those_of_the_program(self):
+        names = ["hexagon-three-fingers", "tray", "box-soft-jaws", "bottle", "mug-parallel-jaw"]
+        for name in names:
+            with self.subTest(name):
+                self.check_shake(ROOT / "examples" / f"{name}.yaml")
+
+    def test_a_shaken_block_takes_what_is_left_of_friction(self):
+        mass, friction, most = 2, 0.5, 80
+        weight = mass * poise.standard_gravity
+        fingers = [poise.Contact([s, 0], [-s, 0], friction) for s in (-1, 1)]
+        grasp = poise.Grasp(poise.Load(weight, [0, 0]), fingers)
+        expected = (2 * friction * most - weight) / math.sqrt(1 + 4 * friction**2) / mass
+        found = poise.shake(grasp, [0, 1], most_grip=most, gap=1e-4)
+        self.assertTrue(found.holdable and found.proven)
+        self.assertLessEqual(found.acceleration, expected * (1 + 1e-9))
+        self.assertGreaterEqual(found.bound, expected * (1 - 1e-9))
+        self.assertLess(found.bound / found.acceleration, 1 + 1e-4)
+        self.assertAlmostEqual(np.linalg.norm(found.direction), 1, delta=1e-12)
+        self.assertEqual(found.held[0].shape[1], 2)
+        self.assertEqual(poise.shake(grasp, [0, 1]).acceleration, math.inf)
+        self.assertEqual(poise.tilting(grasp, [0, 1]).angle, math.pi)
+        self.assertFalse(poise.shake(grasp, [0, 1], most_grip=weight / 2).holdable)
+        with self.assertRaises(poise.InvalidGrasp):
+            poise.shake(grasp, [0, 1], gap=0)
+
     def test_they_are_those_of_the_program(self):
         names = ["hexagon-three-fingers", "ito-fig6", "tray", "box-hard-jaws", "box-soft-jaws"]
         for name in [*names, "bottle"]:
@@ -1486,6 +1549,35 @@ class Motions(unittest.TestCase):
         self.assertLessEqual(found.value, found.now)
         self.assertLessEqual(found.lower_bound, found.value)
         self.assertAlmostEqual(np.linalg.norm(found.rotation), 1, 12)
+
+
+@unittest.skipUnless(ACRONYM.is_dir(), "POISE_DATA has no acronym")
+class AcronymGrasps(unittest.TestCase):
+    def test_they_are_those_of_import(self):
+        file = str(min((ACRONYM / "grasps").glob("Mug*.h5")))
+        data = poise.Acronym(file, str(ACRONYM))
+        self.assertEqual(len(data), 2000)
+        held = 0
+        for n in range(0, 2000, 100):
+            command = [PROGRAM, "import", "acronym", file, "--mesh-root", ACRONYM, "--grasp", n]
+            with tempfile.TemporaryDirectory() as folder:
+                out = Path(folder) / "grasp.yaml"
+                run = subprocess.run(
+                    [*map(str, command), "-o", out], capture_output=True, check=True
+                )
+                expected = poise.load(out)
+            grasp = data.grasp(n)
+            self.assertEqual(grasp.name, expected.name)
+            self.assertEqual(len(grasp.contacts), len(expected.contacts))
+            for contact, other in zip(grasp.contacts, expected.contacts):
+                np.testing.assert_allclose(contact.position, other.position, atol=1e-12)
+                np.testing.assert_allclose(contact.normal, other.normal, atol=1e-12)
+            self.assertEqual(data.held(n), b"did not hold the object" not in run.stderr)
+            held += data.held(n)
+        self.assertTrue(0 < held < 20)
+        for call in data.grasp, data.held:
+            with self.assertRaises(IndexError):
+                call(2000)
 
 
 class Misuse(unittest.TestCase):
