@@ -9,6 +9,7 @@ namespace {
 using AnyCut = Either<ShakeCut>;
 using AnyShake = Either<Shake>;
 using AnyTilting = Either<Tilting>;
+using AnySturdiest = Either<Sturdiest>;
 
 /// What `f(grasp, up, settings)` finds of a grasp of either dimension in the posture `up`.
 template <class R, class F>
@@ -79,6 +80,55 @@ void add_types(py::module_& module) {
            }));
 }
 
+void add_sturdiest(py::module_& module) {
+  Class<AnySturdiest>(module, "Sturdiest")
+      .either("status", [](const auto& found) { return found.status; })
+      .either("up", [](const auto& found) -> Eigen::VectorXd { return found.up; })
+      .either("acceleration", [](const auto& found) { return found.acceleration; })
+      .either("bound", [](const auto& found) { return found.bound; })
+      .either("shakes",
+              []<int Dim>(const Sturdiest<Dim>& found) {
+                return std::vector<AnyShake>(found.shakes.begin(), found.shakes.end());
+              })
+      .either("cuts",
+              []<int Dim>(const Sturdiest<Dim>& found) {
+                return std::vector<AnyCut>(found.cuts.begin(), found.cuts.end());
+              })
+      .either("holds", [](const auto& found) { return found.holds; })
+      .def("__repr__", each<AnySturdiest>([](const auto& found) {
+             return py::str("Sturdiest({}, acceleration={:.6g})")
+                 .format(to_string(found.status), found.acceleration);
+           }));
+  module.def(
+      "sturdiest_posture",
+      [](const AnyGrasp& grasp, Domain domain, const py::object& tilt, double gap, double force_cap,
+         std::optional<double> most_grip, int max_holds,
+         const std::optional<Eigen::VectorXd>& present) {
+        const ShakeSettings settings{gap, checked_cap(force_cap), most_grip, max_holds};
+        const std::optional<Tilt> near = read_tilt(tilt);
+        const bool planar = std::holds_alternative<Grasp<2>>(grasp.of);
+        if (planar && near) throw InvalidGrasp("tilt", "is for space, the grasp is in the plane");
+        if (!planar && domain != Domain::all) throw InvalidGrasp("domain", "must be all in space");
+        const auto now = [&]<int Dim>(const Grasp<Dim>&) -> Vector<Dim> {
+          return present ? unit<Dim>(*present, "present") : Vector<Dim>(Vector<Dim>::Unit(Dim - 1));
+        };
+        const py::gil_scoped_release unlocked;
+        if (planar) {
+          const auto& own = std::get<Grasp<2>>(grasp.of);
+          return AnySturdiest{sturdiest_posture(own, domain, settings, now(own))};
+        }
+        const auto& own = std::get<Grasp<3>>(grasp.of);
+        return AnySturdiest{sturdiest_posture(own, near, settings, now(own))};
+      },
+      py::arg("grasp"), py::kw_only(), py::arg("domain") = Domain::all,
+      py::arg("tilt") = py::none(), py::arg("gap") = ShakeSettings().gap,
+      py::arg("force_cap") = ShakeSettings().force_cap, py::arg("most_grip") = py::none(),
+      py::arg("max_holds") = ShakeSettings().max_holds, py::arg("present") = py::none(),
+      "The posture of which shake() is greatest, with a bound on that of all others.\n\n"
+      "present: (2,) or (3,), where nothing is better; upright unless given\n"
+      "max_holds: to spend on each load of a posture, and ten times as many on the search");
+}
+
 /// A function of a grasp and a posture, with settings by keywords.
 template <class R, class F>
 void define(py::module_& module, const char* name, F f, const std::string& words) {
@@ -101,6 +151,7 @@ void define(py::module_& module, const char* name, F f, const std::string& words
 
 void add_shake(py::module_& module) {
   add_types(module);
+  add_sturdiest(module);
   define<AnyShake>(
       module, "shake", [](const auto&... all) { return shake(all...); },
       "The greatest acceleration [m/s^2] that is withstood in every direction in the posture up "

@@ -1228,6 +1228,23 @@ class Capacities(unittest.TestCase):
             with self.subTest(name):
                 self.check_shake(ROOT / "examples" / f"{name}.yaml")
 
+    def test_the_sturdiest_posture_is_that_of_the_program(self):
+        for name in ["hexagon-three-fingers", "mug-parallel-jaw"]:
+            file = ROOT / "examples" / f"{name}.yaml"
+            read = poise.load(file)
+            told = answer("best", file, "--objective", "sturdy")
+            planar = told["options"].get("domain") == "all" and "angle_deg" in told
+            now = [math.sin(read.angle), math.cos(read.angle)] if planar else read.up
+            found = poise.sturdiest_posture(read.grasp(), present=now)
+            self.assertEqual(found.status.value, told["status"])
+            self.assertEqual(found.up.tolist(), told["up"])
+            self.assertEqual((found.acceleration, found.bound), (told["acceleration"], told["bound"]))
+            self.assertEqual([cut.y.tolist() for cut in found.cuts], [cut["y"] for cut in told["cuts"]])
+            self.assertEqual([shake.bound for shake in found.shakes], [told["shakes"][0]["bound"]])
+            self.assertTrue(poise.verify(read.grasp(), told))
+        with self.assertRaises(poise.InvalidGrasp):
+            poise.sturdiest_posture(read.grasp(), domain=poise.Domain.pinching_up)
+
     def test_a_shaken_block_takes_what_is_left_of_friction(self):
         mass, friction, most = 2, 0.5, 80
         weight = mass * poise.standard_gravity
