@@ -84,12 +84,14 @@ void drop_what_has_no_forces(const Hand<Dim>& hand, const ShakeSettings& setting
   bool all = true;
   for (std::size_t k = 0; k < result.held.size() && result.holdable; ++k)
     all = all && is_held(k, inside);
-  if (all && !(all = all_held()))
+  if (all) {
+    all = all_held();
     for (const double part : nearer) {
       if (all || !draw_nearer(result, part)) break;
       all = all_held();
       result.proven = result.bound <= reach * (1 + settings.gap) + little;
     }
+  }
   if (all) {
     reach = std::min(reach, result.bound);  // else above it by rounding
     return;
