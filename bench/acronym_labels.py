@@ -47,7 +47,10 @@ def wrong(called, held):
 
 def show_wrong(words, called, held):
     missed, trusted = wrong(called, held)
-    print(f"called safe if {words}: misses {missed:.1%} of what held, has {trusted:.1%} of what was lost")
+    print(
+        f"called safe if {words}: misses {missed:.1%} of what held, "
+        f"has {trusted:.1%} of what was lost"
+    )
 
 
 def main():
@@ -61,7 +64,8 @@ def main():
     held = np.array([data.held(n) for n in range(len(data))])
     answers = [answer(data, n, options.max_force) for n in range(len(data))]
     shakes, apart = map(np.array, zip(*answers))
-    print(f"{len(data)} grasps: {held.sum()} held in the simulation, {np.sum(shakes > 0)} by shake()")
+    print(f"{len(data)} grasps: {held.sum()} held in the simulation, ", end="")
+    print(f"{np.sum(shakes > 0)} by shake()")
     print(f"area under the ROC curve {area(shakes, held):.3f}")
     show_wrong("held at all", shakes > 0, held)
     even = np.arange(len(data)) % 2 == 0  # a threshold is not tried where it was found
