@@ -214,20 +214,25 @@ class Search {
       ShakeSettings near = settings_;
       near.gap /= 4;
       for (const Grasp<Dim>& one : ones_) {
-        found.shakes.push_back(shake<Dim>(one, up_, near));
-        found.holds += found.shakes.back().holds;
-        found.acceleration = std::min(found.acceleration, found.shakes.back().acceleration);
+        Shake<Dim>& own = found.shakes.emplace_back(shake<Dim>(one, up_, near));
+        own.proven = own.proven || own.bound <= most_for(own.acceleration);
+        found.holds += own.holds;
+        found.acceleration = std::min(found.acceleration, own.acceleration);
       }
       if (best_ == infinity) found.bound = infinity;
       found.bound = std::max(found.bound, found.acceleration);
-      const double most = found.acceleration * (1 + settings_.gap) + no_acceleration;
-      if (found.bound <= most) found.status = Status::optimal;
+      if (found.bound <= most_for(found.acceleration)) found.status = Status::optimal;
     } else if (found.bound < 0) {
       found.status = Status::unholdable;
       found.bound = 0;
     }
     if (found.bound < infinity) found.cuts = needed_cuts();
     return found;
+  }
+
+  /// The highest bound that is near enough.
+  double most_for(double acceleration) const {
+    return acceleration * (1 + settings_.gap) + no_acceleration;
   }
 
   std::vector<ShakeCut<Dim>> needed_cuts() {
