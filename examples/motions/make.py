@@ -14,9 +14,9 @@ def part(t, begin, end):
 
 def pick_and_place(t):
     """Lifted by 0.15 m, carried 0.8 m along y while it turns by a quarter about the vertical, put down."""
-    up = 0.15 * (part(t, 0, 0.5) - part(t, 1.1, 1.6))
-    yaw = pi / 2 * part(t, 0.35, 1.25)
-    return 0, 0.8 * part(t, 0.35, 1.25), up, cos(yaw / 2), 0, 0, sin(yaw / 2)
+    up = 0.15 * (part(t, 0, 0.5) - part(t, 1, 1.6))
+    yaw = pi / 2 * part(t, 0.4, 1.2)
+    return 0, 0.8 * part(t, 0.4, 1.2), up, cos(yaw / 2), 0, 0, sin(yaw / 2)
 
 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent)
