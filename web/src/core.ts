@@ -126,7 +126,7 @@ interface AnyCheck<P, Shape> {
   warnings: string[];
 }
 
-export const gravity = 9.80665;
+const gravity = 9.80665;
 
 /** What turns with gravity [N]: the weight, and what lifting the object adds. */
 export const turningForce = ({ weight, lift }: { weight: number; lift: number }) => weight * (1 + lift / gravity);

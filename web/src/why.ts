@@ -1,5 +1,5 @@
 // Why the object is held as it is, in words that come from the answer alone.
-import { gravity, turningForce, type AnyHold, type Held, type Margins, type Optimum, type Shaken, type SpatialBest } from './core';
+import { turningForce, type AnyHold, type Held, type Margins, type Optimum, type Shaken, type SpatialBest } from './core';
 import { contains, slope } from './curve';
 import type { Point, Vec } from './grasp';
 import type { SpatialModel } from './space';
@@ -65,12 +65,12 @@ function stillHolds({ weight, holdable, greatest_weight, friction_factor }: Marg
   return `In this posture the fingers still hold up to ${newtons(greatest_weight)} (${plain(greatest_weight / weight)} times the weight), and, pressing harder, this weight ${friction}.`;
 }
 
-/** What the posture withstands. */
+/** What the posture withstands, within the limits of contacts and drives. */
 export function withstands({ acceleration, direction, tilt_deg, proven }: Shaken): string {
   const most = proven ? '' : 'at least ';
   const along = direction.map((part) => fixed(part, 2)).join(', ');
-  const shake = acceleration === null ? 'any acceleration' : `${most}${plain(acceleration)} m/s² (${plain(acceleration / gravity)} g) in any direction, weakest along (${along})`;
-  return `It withstands ${shake}, and ${tilt_deg === 180 ? 'any tilt' : `a tilt of ${most}${degrees(tilt_deg)}`}.`;
+  const shake = acceleration === null ? 'any acceleration' : `${most}${plain(acceleration)} m/s² in any direction, weakest along (${along})`;
+  return `Pressing harder, it withstands ${shake}, and ${tilt_deg === 180 ? 'any tilt' : `a tilt of ${most}${degrees(tilt_deg)}`}.`;
 }
 
 const leftOut = ({ best, check }: PlanarAnswers, angle: number) =>

@@ -83,9 +83,9 @@ export const withstood = async (page) => {
   await frame(page);
   await page.waitForFunction(() => document.querySelector('#withstands').ariaBusy === 'false');
   const words = await page.textContent('#withstands');
-  const [, some, along] = words.match(/^It withstands ([\d.]+) m\/s² \([\d.]+ g\) in any direction, weakest along \((.*?)\), and /) ?? [];
+  const [, some, along] = words.match(/^Pressing harder, it withstands ([\d.]+) m\/s² in any direction, weakest along \((.*?)\), and /) ?? [];
   const [, tilt] = words.match(/, and a tilt of ([\d.]+)°\.$/) ?? [];
-  const acceleration = some ? +some : words.startsWith('It withstands any acceleration, and ') ? Infinity : NaN;
+  const acceleration = some ? +some : words.startsWith('Pressing harder, it withstands any acceleration, and ') ? Infinity : NaN;
   return { words, acceleration, along: along?.split(', ').map(Number), tilt: tilt ? +tilt : words.endsWith(', and any tilt.') ? 180 : NaN };
 };
 /** Whether nothing is said of it whenever another posture is shown, while something is done. */
