@@ -501,6 +501,20 @@ TEST_F(CommandLine, CapacityOfDrivesSaysWhatToTypeIntoTheirController) {
   EXPECT_NE(out.find("the drive of right gives its max"), std::string::npos) << out;
 }
 
+TEST_F(CommandLine, VerifyKnowsLoadsThatNeedNothing) {
+  // Lying on its cups an object needs no vacuum, however heavy it is.
+  write("cups.yaml",
+        "poise: 1\ndimension: 2\nobject: {weight: 10, com: [0, 0]}\n"
+        "loads: [{name: full}, {name: half, weight: 5}]\ncontacts:\n"
+        "  - {position: [-1, 0], normal: [0, -1], friction: 0.5, adhesion: 12, finger: left}\n"
+        "  - {position: [1, 0], normal: [0, -1], friction: 0.5, adhesion: 12, finger: right}\n");
+  const Json hold = json("hold cups.yaml --angle 180");
+  EXPECT_EQ(hold["grip"], 0);
+  write("answer.json", hold.dump());
+  const Outcome run = poise("verify cups.yaml answer.json");
+  EXPECT_EQ(run.status, 0) << run.out;
+}
+
 TEST_F(CommandLine, CapacityHasALeastWeightWhereAFingerMustPress) {
   // Pushed from below with 12 to 20 N, between two fingers that carry up to 0.3 * 5 N each.
   write("pushed.json",

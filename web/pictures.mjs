@@ -4,7 +4,7 @@ import { choose, finish, frame, open, root, settled } from './test/browser.mjs';
 const built = `${root}web/dist/playground.html`;
 const size = { width: 1280, height: 826, deviceScaleFactor: 1.5 };
 // The last words come when nothing has moved for a while.
-const told = (page) => page.waitForFunction(() => document.querySelector('#why').textContent.includes('Pressing harder'));
+const told = (page) => page.waitForFunction(() => document.querySelector('#why').textContent.includes('Pressing harder') && document.querySelector('#withstands').ariaBusy === 'false');
 
 const plane = await open(built, size);
 await told(plane);

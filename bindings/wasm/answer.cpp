@@ -6,11 +6,13 @@
 #include "ask/ask.hpp"
 #include "ask/document.hpp"
 #include "dual/exact.hpp"
+#include "files/degrees.hpp"
 #include "files/field.hpp"
 #include "files/grasp_document.hpp"
 #include "files/grasp_writer.hpp"
 #include "files/json_text.hpp"
 #include "poise/grip.hpp"
+#include "poise/shake.hpp"
 
 namespace poise {
 namespace {
@@ -46,6 +48,25 @@ std::string margins(const FileOf<Dim>& file, const Grasp<Dim>& grasp, Question q
                     {"holdable", weights.holdable},
                     {"greatest_weight", number(weights.greatest.weight)},
                     {"friction_factor", number(friction.factor)}});
+}
+
+/// What the posture withstands besides the loads: accelerations, and tilting.
+template <int Dim>
+std::string shaken(const FileOf<Dim>& file, const Grasp<Dim>& grasp, Question question) {
+  question.command = Command::hold;
+  const Vector<Dim> up = std::get<HoldAnswer<Dim>>(ask(file, grasp, question).of).posture.up;
+  const ShakeSettings settings{.force_cap = question.force_cap};
+  const Shake<Dim> found = shake(grasp, up, settings);
+  const Tilting<Dim> tilted = tilting(grasp, up, settings);
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  return json_text(
+      {{"holdable", found.holdable},
+       {"acceleration", number(found.acceleration)},
+       {"bound", number(found.bound)},
+       {"direction", std::vector<double>(found.direction.begin(), found.direction.end())},
+       {"tilt_deg", degrees(tilted.angle)},
+       {"tilt_bound_deg", degrees(tilted.bound)},
+       {"proven", found.proven && tilted.proven}});
 }
 
 /// F or V at each of the postures `ups`, null where unholdable.
@@ -140,7 +161,8 @@ std::string objectives(const FileOf<Dim>& file, const Grasp<Dim>& grasp) {
 std::string answer(const std::string& command, const Field& root, const PlanarFile& file) {
   root.mapping({"command", "grasp", "angle_deg", "domain", "force_cap", "objective", "with_turn"},
                {"up", "ups", "cuts"}, "is for space, not for the plane");
-  root.get("command", "").word({"check", "hold", "best", "turn", "curve", "margins", "objectives"});
+  root.get("command", "")
+      .word({"check", "hold", "best", "turn", "curve", "margins", "shake", "objectives"});
   const Grasp<2> grasp = file.grasp();
   Question question = question_of<2>(root, command, file, grasp);
   if (const auto domain = root.find("domain"))
@@ -149,6 +171,7 @@ std::string answer(const std::string& command, const Field& root, const PlanarFi
   if (command == "turn") root.get("angle_deg", "a posture to turn to");
   if (const auto angle = root.find("angle_deg")) question.angle_deg = angle->number();
   if (command == "margins") return margins<2>(file, grasp, question);
+  if (command == "shake") return shaken<2>(file, grasp, question);
   if (command == "objectives") return objectives<2>(file, grasp);
   return document(file, grasp, ask(file, grasp, question));
 }
@@ -157,7 +180,8 @@ std::string answer(const std::string& command, const Field& root, const SpatialF
   root.mapping({"command", "grasp", "up", "force_cap", "objective", "with_turn", "ups", "cuts"},
                {"angle_deg", "domain"}, "is for the plane, not for space");
   root.get("command", "")
-      .word({"check", "hold", "best", "turn", "margins", "objectives", "values", "planes"});
+      .word(
+          {"check", "hold", "best", "turn", "margins", "shake", "objectives", "values", "planes"});
   const Grasp<3> grasp = file.grasp();
   Question question = question_of<3>(root, command, file, grasp);
   if (command == "turn") root.get("up", "a posture to turn to");
@@ -167,6 +191,7 @@ std::string answer(const std::string& command, const Field& root, const SpatialF
     question.up.assign(given.begin(), given.end());
   }
   if (command == "margins") return margins<3>(file, grasp, question);
+  if (command == "shake") return shaken<3>(file, grasp, question);
   if (command == "objectives") return objectives<3>(file, grasp);
   const HoldSettings settings{.force_cap = question.force_cap, .objective = *question.objective};
   const std::string objective = to_string(settings.objective);

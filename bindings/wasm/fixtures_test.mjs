@@ -1,9 +1,9 @@
 // Whether the WebAssembly module answers as the native program does: node fixtures_test.mjs MODULE
 // FIXTURES EXAMPLES PROGRAM. For grip and for effort. Numbers to 1e-9 of themselves, those near nothing
-// to 1e-12, and to 1e-9 of the best posture in space; forces of the least grip to 1e-8; everything else
-// exactly. Other minima in space are found by descent: V is flat there, so that V is as exact, and where
+// to 1e-12, and to 1e-9 of the best posture in space; forces of the least grip to 1e-8, and to 1e-7
+// those of the least effort with pads or limits of drives, whose value is flat there; everything else exactly. Other minima in space are found by descent: V is flat there, so that V is as exact, and where
 // it lies only to 1e-7; where a search went another way, to 1e-5, and of the grip its best value. Of turns
-// in space the two pairs of bounds overlap.
+// in space, and of what is withstood, the two pairs of bounds overlap.
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -17,6 +17,7 @@ const read = (file) => JSON.parse(readFileSync(`${fixtures}/${file}`, 'utf8'));
 let compared = 0;
 let worst = 0;
 const failures = [];
+let forces = 1e-9;  // how exact those of the least effort are
 const expect = (holds, ...what) => holds || failures.push(what.join(' '));
 
 function compare(found, wanted, path, exact = 1e-9) {
@@ -55,7 +56,7 @@ function compare(found, wanted, path, exact = 1e-9) {
         continue;
       }
       const listed = (each) => (key === 'minima' && flat ? [...each.minima].sort(inOrder) : each?.[key]);
-      compare(listed(found), listed(wanted), `${path}.${key}`, sure ? 1e-9 : flat || (isGrip ? Math.max(exact, 1e-8) : exact));
+      compare(listed(found), listed(wanted), `${path}.${key}`, sure ? 1e-9 : flat || (isGrip ? Math.max(exact, 1e-8) : Math.max(exact, forces)));
     }
   }
 }
@@ -107,6 +108,8 @@ expect(names.length >= 3, 'no fixtures');
 for (const file of names) {
   const name = file.replace('.grasp.json', '');
   const grasp = read(file);
+  const isLimited = [...Object.values(grasp.fingers ?? {}), ...(Array.isArray(grasp.drives) ? grasp.drives : [])].some((each) => each.max_force ?? each.max);
+  forces = isLimited || grasp.contacts.some(({ pad }) => pad) ? 1e-7 : 1e-9;
   const objectives = answer({ command: 'objectives', grasp });
   expect(objectives.objective === (grasp.objective ?? 'grip') && objectives.grip_unit === 'N', `${name}: its objectives`);
   const cases = ['hold', 'best', 'turn', ...(grasp.dimension === 2 ? ['curve'] : [])].flatMap((command) => ['grip', 'effort'].map((objective) => [command, objective]));
@@ -140,6 +143,12 @@ for (const file of names) {
     expect(held((other) => void (other.object.weight = 0.9999 * greatest_weight)), `${name}: the greatest weight`, greatest_weight, weight);
     expect(!held((other) => void (other.object.weight = 1.0001 * greatest_weight)), `${name}: more than the greatest weight`);
   }
+  // What is withstood: of several loads the least. Both enclose the same.
+  const shaken = answer({ command: 'shake', grasp, ...(grasp.dimension === 2 ? { angle_deg: 90 } : { up: [0, 0, 1] }) });
+  const { capacities } = read(`${name}.capacity.json`);
+  const least = (of) => capacities.map(of).reduce((a, b) => ((a ?? Infinity) < (b ?? Infinity) ? a : b));
+  sameBounds([shaken.acceleration, shaken.bound], ['acceleration', 'bound'].map((key) => least(({ shake }) => shake[key])), `${name}.shake`);
+  sameBounds([shaken.tilt_deg, shaken.tilt_bound_deg], [least(({ tilt_deg }) => tilt_deg), least(({ tilt }) => tilt.bound_deg)], `${name}.tilt`);
   if (grasp.dimension === 2) continue;
 
   // All around at once as one by one; no plane is above the value anywhere, nor below the bound
@@ -154,7 +163,7 @@ for (const file of names) {
       const found = (one.load_grips ?? one.load_efforts) ? Math.max(...(one.load_grips ?? one.load_efforts).map((each) => each ?? Infinity)) : valueOf(one);
       // Minima may lie on the border of what can be held, where rounding decides.
       if (k >= best.minima.length || (one.holdable && values[k] !== null))
-        compare(values[k], one.holdable && found < Infinity ? found : null, `${name}.values[${k}]`);
+        compare(values[k], one.holdable && found < Infinity ? found : null, `${name}.values[${k}]`, Math.max(1e-9, forces / 10));
     });
     const { planes } = answer({ command: 'planes', grasp, objective, cuts: best.cuts });
     const proofs = planes.filter(({ rate }) => rate > 0);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of README.md, docs/theory.md and docs/paper.md. Needs gnuplot, jq, awk, and numpy.
+# Draws the pictures of README.md and docs/. Needs gnuplot, jq, awk, and numpy.
 #   docs/pictures/make.sh [the program; default: build/poise]
 set -euo pipefail
 export LC_ALL=C.UTF-8  # gnuplot knows the degree sign
@@ -35,6 +35,17 @@ echo held-part.svg
 
 "$poise" draw "$examples/bottle.yaml" --up=-0.998,0,0.070 -o bottle.svg > /dev/null
 echo bottle.svg
+
+# ---- Examples of loads: docs/grasp-file.md; of a motion: docs/command-line.md ------------------
+
+for example in "shaken-bottle 0,0,1" "screwdriver 0,0,1" "sheet-under-cups 0,1,0"; do
+  read -r example up <<< "$example"
+  "$poise" draw "$examples/$example.yaml" --up "$up" -o "$example.svg" > /dev/null
+  echo "$example.svg"
+done
+"$poise" motion "$examples/pick-and-place.yaml" "$examples/motions/pick-and-place.csv" \
+  --plot pick-and-place.svg > /dev/null
+echo pick-and-place.svg
 
 # ---- The planar cone and its projection --------------------------------------------------------
 

@@ -230,8 +230,8 @@ void check_other(Verdict& verdict, const Path& place, std::size_t k, const RealG
   if (!effort && k != *hold.load)
     verdict.unchecked(of_effort, "that a load cannot be held is proven of the one that decides");
   if (effort && hold.holdable)
-    verdict.check(of_effort, "no load needs more than the one that decides", *effort / value(hold),
-                  1 + 1e-9L);
+    verdict.check(of_effort, "no load needs more than the one that decides", *effort - value(hold),
+                  1e-9L * value(hold));
   if (none || !other) return;
   const Real cap = force_cap * grasp.greatest_size() / grasp.loads[k].size();
   // In the best posture of all loads this one may be at the limit of what can be held.

@@ -24,6 +24,8 @@ export interface ContactForce<P> {
 
 interface Posture<P> {
   up: P;
+  /** In the plane. */
+  angle_deg?: number;
   objective: Objective;
   /** The proof: of the effort, of the grip. */
   dual?: number[];
@@ -153,6 +155,19 @@ export interface Margins {
   slopes?: number[];
 }
 
+/** What a posture withstands besides the loads. */
+export interface Shaken {
+  holdable: boolean;
+  /** In any direction [m/s²]; null: any. */
+  acceleration: number | null;
+  /** In which no more is withstood; of the object. */
+  direction: number[];
+  /** In any direction; 180 where every posture is held. */
+  tilt_deg: number;
+  /** That it is no more. */
+  proven: boolean;
+}
+
 /** What a turn takes [N², or as the grip]; null where a posture of it cannot be held. */
 export interface Peak<P> {
   /** Counter-clockwise positive, as all angles of it. */
@@ -198,6 +213,7 @@ export interface Objectives {
 
 interface PlanarAnswers {
   margins: Margins;
+  shake: Shaken;
   objectives: Objectives;
   check: Check;
   hold: Hold<Point>;
@@ -208,6 +224,7 @@ interface PlanarAnswers {
 
 interface SpatialAnswers {
   margins: Margins;
+  shake: Shaken;
   objectives: Objectives;
   check: SpatialCheck;
   hold: Hold<Vec>;

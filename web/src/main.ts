@@ -1,7 +1,7 @@
 import './style.css';
 import { size, text as packed } from 'virtual:core';
 import { BodyView } from './body';
-import { BadGrasp, read, start, type AnyHold, type GripUnit, type Margins, type Objective } from './core';
+import { BadGrasp, read, start, type AnyHold, type GripUnit, type Margins, type Objective, type Shaken } from './core';
 import { asPng, asSvg, fileName, fromLink, keep, toLink, yaml, type Picture } from './files';
 import type { Grasp, PlanarGrasp, SpatialGrasp, Vec } from './grasp';
 import { unpacked } from './lzma';
@@ -18,7 +18,7 @@ import { SphereView } from './sphere';
 import { PlanarModel } from './state';
 import { angle } from './turn';
 import { degrees, fixed, newtons, plain, wrapped } from './words';
-import { why, whyInSpace } from './why';
+import { why, whyInSpace, withstands } from './why';
 
 const find = <Kind extends HTMLElement>(id: string) => document.getElementById(id) as Kind;
 
@@ -103,24 +103,34 @@ function drawWords(plays: boolean, at: string, hold: AnyHold, { objective }: Mea
   find('problem').classList.toggle('bad', notice.text ? notice.bad : problem !== '');
 }
 
-/** What a posture would still hold takes some tens of holds: told as soon as nothing moves. */
-class Rest {
-  private of: unknown;
-  private margins: Margins | undefined;
+/** What takes some tens of holds: asked for as soon as nothing moves, and until then not known. */
+class Rest<Known> {
+  private of: AnyHold | undefined;
+  private known: Known | undefined;
   private timer = 0;
-  constructor(private readonly ask: () => Margins, private readonly then: () => void) {}
+  constructor(private readonly ask: (then: (known: Known) => void) => void, private readonly draw: () => void) {}
 
-  at(hold: AnyHold): Margins | undefined {
-    if (this.of === hold) return this.margins;
+  at(hold: AnyHold): Known | undefined {
+    if (this.of === hold) return this.known;
     this.of = hold;
-    this.margins = undefined;
+    this.known = undefined;
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => {
-      this.margins = this.ask();
-      this.then();
-    }, 150);
+    this.timer = window.setTimeout(() => this.ask((known) => {
+      if (this.of !== hold) return;
+      this.known = known;
+      this.draw();
+    }), 150);
     return undefined;
   }
+}
+
+/** What a posture withstands. Where it can be held, there is a place for that while it is not known. */
+function drawShaken(hold: AnyHold, rest: Rest<Shaken>): void {
+  const found = hold.holdable ? rest.at(hold) : undefined;
+  const element = find('withstands');
+  element.hidden = !hold.holdable;
+  element.ariaBusy = String(hold.holdable && !found);
+  tell(element, found?.holdable ? [withstands(found)] : [], 'span');
 }
 
 class PlaneSheet implements Sheet<PlanarGrasp> {
@@ -128,7 +138,8 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
   private readonly scene: Scene;
   private readonly plot: Plot;
   private readonly controls: PlanarControls;
-  private readonly rest: Rest = new Rest(() => this.model.margins(), () => sheet === this && this.draw());
+  private readonly rest: Rest<Margins> = new Rest((then) => then(this.model.margins()), () => sheet === this && this.draw());
+  private readonly shaken: Rest<Shaken> = new Rest((then) => then(this.model.shaken()), () => sheet === this && this.draw());
   private readonly boxes = {
     squared: find<HTMLInputElement>('squared'),
     logarithmic: find<HTMLInputElement>('logarithmic'),
@@ -217,7 +228,8 @@ class PlaneSheet implements Sheet<PlanarGrasp> {
     this.plot.draw();
     this.controls.draw();
     drawMinima(find('minima'), this.model);
-    drawWords(this.player.plays, degrees(angle), answers.hold, answers.measure, answers.gripUnit, why(answers, this.rest.at(answers.hold), angle, this.model.optimum()), problem, answers.check.warnings);
+    drawShaken(answers.hold, this.shaken);
+    drawWords(this.player.plays, degrees(answers.hold.angle_deg ?? angle), answers.hold, answers.measure, answers.gripUnit, why(answers, this.rest.at(answers.hold), angle, this.model.optimum()), problem, answers.check.warnings);
   }
 }
 
@@ -227,7 +239,8 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
   private readonly sphere: SphereView;
   private readonly controls: SpatialControls;
   private readonly player: Player<Vec>;
-  private readonly rest: Rest = new Rest(() => this.model.margins(), () => sheet === this && this.draw());
+  private readonly rest: Rest<Margins> = new Rest((then) => then(this.model.margins()), () => sheet === this && this.draw());
+  private readonly shaken: Rest<Shaken> = new Rest((then) => this.model.askShake(then), () => sheet === this && this.draw());
 
   constructor(grasp: SpatialGrasp, mesh?: Triangles) {
     this.model = new SpatialModel(wasm, grasp, mesh);
@@ -284,7 +297,7 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
   }
 
   draw(): void {
-    const { answers, found, up, problem, outdated } = this.model;
+    const { answers, found, problem, outdated } = this.model;
     this.scene.draw();
     this.player.draw(answers.grasp, answers.measure);
     this.sphere.turning = this.player.drawn;
@@ -295,7 +308,9 @@ class SpaceSheet implements Sheet<SpatialGrasp> {
     find('proof').hidden = !this.sphere.certificate;
     find('proof').textContent = this.sphere.said();
     drawSpatialMinima(find('minima'), this.model);
-    const at = `up (${up.map((part) => fixed(part, 3)).join(', ')})`;
+    // Of the posture that was asked for: the object may have turned on since.
+    const at = `up (${answers.hold.up.map((part) => fixed(part, 3)).join(', ')})`;
+    drawShaken(answers.hold, this.shaken);
     drawWords(this.player.plays, at, answers.hold, answers.measure, answers.gripUnit, whyInSpace(this.model, this.rest.at(answers.hold)), problem, this.model.warnings);
     document.body.dataset.settled = outdated || this.model.turning ? '' : '1';
   }

@@ -1,6 +1,6 @@
 // What is shown of a grasp in space: as state.ts in the plane. The certified best posture and the
 // sphere come from a worker, later than the rest.
-import { askSpatial, BadGrasp, type GripUnit, type Held, type Hold, type Margins, type Plane, type SpatialBest, type SpatialCheck } from './core';
+import { askSpatial, BadGrasp, type GripUnit, type Held, type Hold, type Margins, type Plane, type Shaken, type SpatialBest, type SpatialCheck } from './core';
 import { spatialTurning, type Turning } from './course';
 import { massesOf, type Objective, type SpatialGrasp, type Vec } from './grasp';
 import { measure, type Measure } from './measure';
@@ -9,7 +9,7 @@ import type { Ring } from './ring';
 import { about, add, after, angle, ballOf, frame, times, towards, turned, turnedBack, unit, type Ball, type Turn } from './turn';
 import { radians } from './vector';
 import Worker from './worker?worker&inline';
-import type { Coloured, Part, Task, TurnAnswer, TurnTask } from './worker';
+import type { Coloured, Part, ShakeAnswer, ShakeTask, Task, TurnAnswer, TurnTask } from './worker';
 
 export interface SpatialAnswers {
   grasp: SpatialGrasp;
@@ -49,6 +49,8 @@ export class SpatialModel {
   private task = 0;
   private turns = 0;
   private told: ((turning: Turning<Vec> | undefined) => void) | undefined;
+  private shakes = 0;
+  private shaken: ((found: Shaken) => void) | undefined;
   private bodyIsOf: unknown;
   private readonly worker: InstanceType<typeof Worker>;
   private readonly listeners: (() => void)[] = [];
@@ -56,7 +58,8 @@ export class SpatialModel {
   constructor(wasm: ArrayBuffer, grasp: SpatialGrasp, private mesh?: Triangles) {
     this.worker = new Worker();
     this.worker.postMessage(wasm);
-    this.worker.onmessage = ({ data }: MessageEvent<Part | TurnAnswer>) => ('turn' in data ? this.receiveTurn(data) : this.receive(data));
+    this.worker.onmessage = ({ data }: MessageEvent<Part | TurnAnswer | ShakeAnswer>) =>
+      'turn' in data ? this.receiveTurn(data) : 'shake' in data ? this.receiveShake(data) : this.receive(data);
     this.grasp = structuredClone(grasp);
     this.orientation = hung(grasp);
     this.answers = this.ask();
@@ -165,6 +168,13 @@ export class SpatialModel {
     this.worker.postMessage({ turn: ++this.turns, grasp: this.answers.grasp, to } satisfies TurnTask);
   }
 
+  /** What the posture withstands, likewise. */
+  askShake(then: (found: Shaken) => void): void {
+    this.shaken = then;
+    const { grasp, hold } = this.answers;
+    this.worker.postMessage({ shake: ++this.shakes, grasp, up: hold.up } satisfies ShakeTask);
+  }
+
   edit(change: (grasp: SpatialGrasp) => void): void {
     change(this.grasp);
     this.changed(true);
@@ -253,6 +263,10 @@ export class SpatialModel {
 
   private receiveTurn({ turn, taken, tracks, values }: TurnAnswer): void {
     if (turn === this.turns) this.told?.(taken && spatialTurning(taken, tracks!, values!, this.answers.measure));
+  }
+
+  private receiveShake({ shake, found }: ShakeAnswer): void {
+    if (shake === this.shakes) this.shaken?.(found);
   }
 
   private receive(part: Part): void {

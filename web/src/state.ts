@@ -1,5 +1,5 @@
 // What is shown: a grasp, a posture, and the answers to them.
-import { ask, BadGrasp, type Best, type Check, type Curve, type GripUnit, type Hold, type Margins, type Optimum } from './core';
+import { ask, BadGrasp, type Best, type Check, type Curve, type GripUnit, type Hold, type Margins, type Optimum, type Shaken } from './core';
 import { planarTurning, type Turning } from './course';
 import { massesOf, type Domain, type Objective, type PlanarGrasp, type Point } from './grasp';
 import { measure, type Measure } from './measure';
@@ -82,6 +82,10 @@ export class PlanarModel {
 
   margins(): Margins {
     return ask('margins', this.answers.grasp, { angle_deg: this.angle });
+  }
+
+  shaken(): Shaken {
+    return ask('shake', this.answers.grasp, { angle_deg: this.angle });
   }
 
   /** From the file's posture, or upright. */

@@ -1,12 +1,12 @@
 // Why the object is held as it is, in words that come from the answer alone.
-import { turningForce, type AnyHold, type Held, type Margins, type Optimum, type SpatialBest } from './core';
+import { turningForce, type AnyHold, type Held, type Margins, type Optimum, type Shaken, type SpatialBest } from './core';
 import { contains, slope } from './curve';
 import type { Point, Vec } from './grasp';
 import type { SpatialModel } from './space';
 import type { PlanarAnswers } from './state';
 import { add, angle as between, cross, dot, length, minus, times } from './turn';
 import { radians } from './vector';
-import { degrees, list, newtons, percent, plain, turn, wrapped } from './words';
+import { degrees, fixed, list, newtons, percent, plain, turn, wrapped } from './words';
 
 type AnyHeld = Extract<AnyHold, { holdable: true }>;
 type Contacts = { finger: string }[];
@@ -63,6 +63,14 @@ function stillHolds({ weight, holdable, greatest_weight, friction_factor }: Marg
   const friction = friction_factor < 1e-3 ? 'with nearly no friction' : `with no less than ${percent(friction_factor)} of the friction`;
   if (greatest_weight === null) return `Pressing harder, the fingers would hold this weight ${friction}, and a heavier object with forces that grow with its weight.`;
   return `In this posture the fingers still hold up to ${newtons(greatest_weight)} (${plain(greatest_weight / weight)} times the weight), and, pressing harder, this weight ${friction}.`;
+}
+
+/** What the posture withstands, within the limits of contacts and drives. */
+export function withstands({ acceleration, direction, tilt_deg, proven }: Shaken): string {
+  const most = proven ? '' : 'at least ';
+  const along = direction.map((part) => fixed(part, 2)).join(', ');
+  const shake = acceleration === null ? 'any acceleration' : `${most}${plain(acceleration)} m/s² in any direction, weakest along (${along})`;
+  return `Pressing harder, it withstands ${shake}, and ${tilt_deg === 180 ? 'any tilt' : `a tilt of ${most}${degrees(tilt_deg)}`}.`;
 }
 
 const leftOut = ({ best, check }: PlanarAnswers, angle: number) =>

@@ -1,5 +1,5 @@
 // What takes longer than a frame: the certified best posture in space, and the values all around.
-import { askSpatial, BadGrasp, start, type Plane, type SpatialBest, type SpatialTurn } from './core';
+import { askSpatial, BadGrasp, start, type Plane, type Shaken, type SpatialBest, type SpatialTurn } from './core';
 import { tracksOf, type Track } from './course';
 import type { SpatialGrasp, Vec } from './grasp';
 import { icosahedron, refined, split } from './mesh';
@@ -25,6 +25,18 @@ export interface TurnAnswer {
   values?: (number | null)[][];
 }
 
+/** What a posture withstands. */
+export interface ShakeTask {
+  shake: number;
+  grasp: SpatialGrasp;
+  up: Vec;
+}
+
+export interface ShakeAnswer {
+  shake: number;
+  found: Shaken;
+}
+
 /** Parts of the answer to a task, as they come. */
 export type Part =
   | { id: number; best: SpatialBest; planes: Plane[]; ring: Ring | undefined }
@@ -45,9 +57,10 @@ const finer = 2;
 
 let latest = -1;
 let latestTurn = -1;
+let latestShake = -1;
 let ready: Promise<void>;
 
-self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task | TurnTask>) => {
+self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task | TurnTask | ShakeTask>) => {
   if (data instanceof ArrayBuffer) {
     ready = start(data);
     return;
@@ -57,6 +70,13 @@ self.onmessage = async ({ data }: MessageEvent<ArrayBuffer | Task | TurnTask>) =
     await ready;
     await new Promise((done) => setTimeout(done));
     if (data.turn === latestTurn) postMessage(turnOf(data));
+    return;
+  }
+  if ('shake' in data) {
+    latestShake = data.shake;
+    await ready;
+    await new Promise((done) => setTimeout(done));
+    if (data.shake === latestShake) postMessage(shakeOf(data));
     return;
   }
   latest = data.id;
@@ -82,6 +102,8 @@ function turnOf({ turn, grasp, to }: TurnTask): TurnAnswer {
     return { turn };
   }
 }
+
+const shakeOf = ({ shake, grasp, up }: ShakeTask): ShakeAnswer => ({ shake, found: askSpatial('shake', grasp, { up }) });
 
 /** Nothing in between: there another task may come. */
 function* valuesAt(grasp: SpatialGrasp, ups: Vec[]): Generator<undefined, (number | null)[]> {

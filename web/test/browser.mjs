@@ -78,6 +78,32 @@ export const turnSaid = (page) => page.evaluate(() => {
   return { head: turn.querySelector('h2').textContent, words: turn.querySelector('p').textContent, buttons: [...turn.querySelectorAll('button:not([hidden])')].map((each) => each.ariaLabel) };
 });
 
+/** What the posture withstands, as soon as that is known; in its numbers. */
+export const withstood = async (page) => {
+  await frame(page);
+  await page.waitForFunction(() => document.querySelector('#withstands').ariaBusy === 'false');
+  const words = await page.textContent('#withstands');
+  const [, some, along] = words.match(/^Pressing harder, it withstands ([\d.]+) m\/s² in any direction, weakest along \((.*?)\), and /) ?? [];
+  const [, tilt] = words.match(/, and a tilt of ([\d.]+)°\.$/) ?? [];
+  const acceleration = some ? +some : words.startsWith('Pressing harder, it withstands any acceleration, and ') ? Infinity : NaN;
+  return { words, acceleration, along: along?.split(', ').map(Number), tilt: tilt ? +tilt : words.endsWith(', and any tilt.') ? 180 : NaN };
+};
+/** Whether nothing is said of it whenever another posture is shown, while something is done. */
+export async function unsaidMeanwhile(page, act) {
+  await page.evaluate(() => {
+    const said = (document.querySelector('#withstands').said = []);
+    new MutationObserver(() => said.push(document.querySelector('#withstands').textContent)).observe(document.querySelector('#verdict'), { childList: true, subtree: true });
+  });
+  await act();
+  await frame(page);
+  const said = await page.$eval('#withstands', (each) => each.said);
+  expect(said.length > 0 && said.every((words) => words === ''), 'nothing is said of what is withstood while it moves', said);
+}
+/** As the program tells it, whose bounds are no farther than 1e-3 from what it found. */
+export function sameShake(found, { shake, tilt_deg }, what) {
+  expect((found.acceleration === shake.acceleration || near(found.acceleration, shake.acceleration, 2e-3)) && near(found.tilt, tilt_deg, 2e-3), `${what}: what is withstood`, found, shake.acceleration, tilt_deg);
+}
+
 /** The verdict, as soon as it begins so: that may soon be over. */
 export const verdictAt = async (page, words) => (await page.waitForFunction((begin) => {
   const text = document.querySelector('#verdict').textContent;

@@ -2,7 +2,7 @@
 import { execFileSync, spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
-import { choose, drag, expect, finish, frame, minima, minimise, near, objective, open, out, playAndStop, root, turnSaid, turnTold, verdict, verdictAt } from './browser.mjs';
+import { choose, drag, expect, finish, frame, minima, minimise, near, objective, open, out, playAndStop, root, sameShake, turnSaid, turnTold, unsaidMeanwhile, verdict, verdictAt, withstood } from './browser.mjs';
 
 const whole = readFileSync(`${root}web/dist/playground.html`);
 const compressed = gzipSync(whole, { level: 9 }).length;
@@ -54,11 +54,23 @@ for (const name of ['l-part', 'hexagon-three-fingers']) {
   await page.screenshot({ path: `${out}${name}.png` });
 }
 
+// What is withstood, as the program says for the same posture; while something moves it is not known.
+const { capacities } = JSON.parse(readFileSync(`${root}build/fixtures/hexagon-three-fingers.capacity.json`, 'utf8'));
+await page.getByLabel('Posture [degrees]').fill('90');
+const stands = await withstood(page);
+sameShake(stands, capacities[0], 'the hexagon');
+expect(Math.hypot(...stands.along.map((part, k) => part - capacities[0].shake.direction[k])) < 0.1, 'its weakest direction', stands, capacities[0].shake.direction);
+await unsaidMeanwhile(page, () => drag(page, '#plot .posture .knob', 20, 0));
+const otherwise = await withstood(page);
+expect(otherwise.acceleration > 0 && otherwise.acceleration !== stands.acceleration, 'then it is told anew', otherwise);
+await page.screenshot({ path: `${out}withstood.png` });
+
 // What cannot be held, and why.
 await page.getByLabel('Posture [degrees]').fill('0');
 await frame(page);
 expect((await verdict(page)).includes('cannot be held'), 'unholdable', await verdict(page));
 expect((await page.textContent('#why')).includes('It would turn'), 'why it cannot be held');
+expect(await page.isHidden('#withstands'), 'it withstands nothing');
 await page.screenshot({ path: `${out}unholdable.png` });
 
 // A bad number has the words of the command line, and nothing is lost.

@@ -1,7 +1,7 @@
 // The page in space, and its files: node test/space.mjs
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { browser, drag, expect, finish, frame, minimise, near, objective, open, out, patience, playAndStop, root, settled, turnSaid, turnTold, verdict, verdictAt } from './browser.mjs';
+import { browser, drag, expect, finish, frame, minimise, near, objective, open, out, patience, playAndStop, root, sameShake, settled, turnSaid, turnTold, unsaidMeanwhile, verdict, verdictAt, withstood } from './browser.mjs';
 
 const built = `${root}web/dist/playground.html`;
 const poise = (...parameters) => spawnSync(`${root}build/poise`, parameters, { encoding: 'utf8', cwd: `${out}files` });
@@ -57,6 +57,19 @@ for (const [label, what] of labels.flatMap((each) => [[each, 'grip'], [each, 'ef
   const [norm, grip] = [`force norm √V ${four(hold.force_norm)} N, effort V ${four(hold.effort)} N²`, `grip ${four(hold.grip)} N`];
   const words = `${hold.manner}: ${what === 'grip' ? `${grip}, ${norm}` : `${norm}, ${grip}`}`;
   expect((await verdict(page)).endsWith(words), `${label}, ${what}: now`, words, await verdict(page));
+}
+
+// What is withstood, within limits and without; while the object moves it is not known.
+for (const name of ['shaken-bottle', 'pick-and-place', 'bottle']) {
+  await page.evaluate(() => delete document.body.dataset.opening);
+  await page.setInputFiles('#file', `${root}build/fixtures/${name}.grasp.json`);
+  await page.waitForSelector('body[data-opening=""]');
+  const stands = await withstood(page);
+  const { capacities } = JSON.parse(readFileSync(`${root}build/fixtures/${name}.capacity.json`, 'utf8'));
+  const least = (of) => Math.min(...capacities.map((each) => of(each) ?? Infinity));
+  sameShake(stands, { shake: { acceleration: least(({ shake }) => shake.acceleration) }, tilt_deg: least(({ tilt_deg }) => tilt_deg) }, name);
+  await page.locator('#sphere circle.area').focus();
+  await unsaidMeanwhile(page, () => page.keyboard.press('ArrowUp'));
 }
 
 // By hand.

@@ -40,6 +40,14 @@ struct Push {
   bool hidden{false}, limited{false}, by_pad{false};
 };
 
+/// What acts on the object besides its weight: inertia, and what pushes it.
+struct OtherLoad {
+  Vector<3> from;  ///< where its force acts, as near to the com as its line passes
+  Vector<3> force;
+  double moment;  ///< about the line of the force, or all of it where there is no force [N m]
+  Vector<3> tip = Vector<3>::Zero();  ///< of its arrow
+};
+
 /// All that is drawn.
 struct Picture {
   const Grasp<3>& grasp;
@@ -50,12 +58,32 @@ struct Picture {
   std::vector<Push> pushes;
   Vector<3> weight;  ///< tip of its arrow
   double cone_length;
+  OtherLoad other;
+
+  bool has_other() const { return !other.force.isZero(1e-9 * grasp.size()); }
 };
+
+OtherLoad other_load(const Load<3>& load, const Vector<3>& up) {
+  const Twist<3> still = load.still();
+  const Vector<3> force = -still.head<3>() - load.weight * load.lift / standard_gravity * up;
+  const Vector<3> moment = -still.tail<3>() + load.com.cross(still.head<3>());  // about the com
+  const double square = force.squaredNorm();
+  if (!(square > 0)) return {load.com, force, moment.norm()};
+  return {load.com + force.cross(moment) / square, force,
+          std::abs(force.dot(moment)) / std::sqrt(square)};
+}
 
 Picture picture_of(const SpatialFile& file, const Grasp<3>& grasp, const Posture<3>& posture) {
   const Load<3>& load = grasp.loads()[posture.decides];
-  Picture picture{grasp, load, posture.hold(), file.shape ? mesh_of(*file.shape) : Mesh{}, 0, {},
-                  {},    0};
+  Picture picture{grasp,
+                  load,
+                  posture.hold(),
+                  file.shape ? mesh_of(*file.shape) : Mesh{},
+                  0,
+                  {},
+                  {},
+                  0,
+                  other_load(load, posture.up)};
   Eigen::AlignedBox3d box(load.com);
   for (const Vector<3>& vertex : picture.mesh.vertices) box.extend(vertex);
   for (const Contact<3>& contact : grasp.contacts()) box.extend(contact.position);
@@ -67,7 +95,7 @@ Picture picture_of(const SpatialFile& file, const Grasp<3>& grasp, const Posture
 
   // Forces to one scale; the weight stays visible beside forces much larger than it.
   const double weight = load.weight;
-  double largest = weight;
+  double largest = std::max(weight, picture.other.force.norm());
   for (std::size_t i = 0; i < picture.hold.forces.size(); ++i)
     largest = std::max(largest, force_vector(grasp.contacts()[i], picture.hold.forces[i]).norm());
   const double scale = 0.8 * picture.size / largest;
@@ -82,6 +110,7 @@ Picture picture_of(const SpatialFile& file, const Grasp<3>& grasp, const Posture
                               .by_pad = grasp.contacts()[i].pad.has_value()});
   }
   picture.weight = load.com - std::max(scale * weight, 0.25 * picture.size) * posture.up;
+  picture.other.tip = picture.other.from + scale * picture.other.force;
   return picture;
 }
 
@@ -113,6 +142,10 @@ double best_azimuth(const Picture& picture, const Eigen::Quaterniond& orientatio
     // Not straight from one side: a box would look flat.
     score += 0.3 * view.toward.cwiseAbs().cwiseMin(0.3).sum();
     score += 0.3 * (most - least) / picture.size;  // an object tells most from its broad side
+    if (picture.has_other()) {
+      const double along = picture.other.force.normalized().dot(view.toward);
+      score -= along * along;  // an arrow is to be seen from its side
+    }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const auto count = static_cast<double>(contacts.size());
       const double away = contacts[i].normal.dot(view.toward);  // behind the object if above 0
@@ -334,6 +367,7 @@ void draw_legend(Canvas& canvas, const Picture& picture) {
     x -= 46;
   };
   entry("friction cone", Colour(cone_colour, 0.8), false, {});
+  if (picture.has_other()) entry("other load", weight_colour, true, {4, 3});
   entry("weight", weight_colour, true, {});
   if (any(&Push::limited)) entry("at its force limit", limit_colour, true, {});
   if (any(&Push::hidden)) entry("from behind", force_colour, true, {4, 3});
@@ -355,6 +389,7 @@ void fit(View& view, const Picture& picture) {
   for (const Push& push : picture.pushes) include(push.tail);
   include(picture.load.com);
   include(picture.weight);
+  include(picture.other.tip);
   const Vector<2> centre = all.center(),
                   room(page_width - 2 * side, page_height - top - bottom - 40);
   view.centre = centre.x() * view.right + centre.y() * view.upwards;
@@ -370,7 +405,8 @@ ShadedBody body_in(const View& view, const Picture& picture) {
 }
 
 /// The object between the contacts behind it and those before it, and the vertical through its com.
-void draw_held_object(Canvas& canvas, const View& view, const Picture& picture, const ShadedBody& body) {
+void draw_held_object(Canvas& canvas, const View& view, const Picture& picture,
+                      const ShadedBody& body) {
   std::vector<Contact<3>> contacts = picture.grasp.contacts();  // from behind to the front
   std::sort(contacts.begin(), contacts.end(), [&](const Contact<3>& a, const Contact<3>& b) {
     return view.nearness(a.position) < view.nearness(b.position);
@@ -410,6 +446,16 @@ void draw_forces(Canvas& canvas, const View& view, const Picture& picture) {
   canvas.arrow(com, view.at(picture.weight), Colour(weight_colour), 3.2);
   canvas.dot(com, 5, Colour(weight_colour));
   std::vector<Label> labels = finger_labels(picture, view);
+  if (const OtherLoad& other = picture.other; picture.has_other()) {
+    const Vector<2> from = view.at(other.from), tip = view.at(other.tip);
+    canvas.arrow(from, tip, Colour(weight_colour), 3.2, {5, 3});
+    lines.emplace_back(from, tip);
+    Label label{{{newtons(other.force.norm()), weight_colour}}, tip, Vector<2>::Zero()};
+    if (tip != from) label.away = (tip - from).normalized();
+    if (other.moment > 1e-6 * picture.grasp.size() * picture.grasp.radius())
+      label.lines.emplace_back(plain(other.moment) + " N m", weight_colour);
+    labels.push_back(std::move(label));
+  }
   labels.push_back(
       {{{newtons(picture.load.weight), weight_colour}}, view.at(picture.weight), Vector<2>(0, 1)});
   draw_labels(canvas, labels, lines);
