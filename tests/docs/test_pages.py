@@ -66,6 +66,7 @@ OWN_WORDS = {
     "shake",
     "smallest_turn",
     "tangents",
+    "sturdiest_posture",
     "tilting",
     "up_at",
     "weight_range",
