@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
 
 #include "held.hpp"
 #include "physics/scene.hpp"
@@ -25,14 +26,15 @@ space::Held random_pad_jaws(std::mt19937& numbers) {
   for (const double side : {-1.0, 1.0}) {
     Contact<3> pad = space::contact({side * half, 0, 0}, {-side, 0, 0}, friction);
     pad.pad = rectangular_pad(size, {0, std::cos(turn), std::sin(turn)}, pad.normal, 3);
-    pad.pad->reach.setZero();
+    pad.finger = side < 0 ? "left" : "right";
     held.contacts.push_back(pad);
   }
   return held;
 }
 
 /// How far the object moves [m] if the points of the pads press with their shares of these forces.
-double moved(const space::Held& held, const Vector<3>& up, const std::array<double, 2>& normal) {
+double moved(const space::Held& held, const Vector<3>& up, const std::array<double, 2>& normal,
+             Sliding sliding) {
   space::Held points{held.object, {}};
   std::vector<double> forces;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -40,36 +42,65 @@ double moved(const space::Held& held, const Vector<3>& up, const std::array<doub
     for (std::size_t k = 0; k < contact.pad->points.size(); ++k) {
       points.contacts.push_back(space::contact(contact.position + contact.pad->points[k],
                                                contact.normal, contact.friction));
+      points.contacts.back().finger = contact.finger;
       forces.push_back(contact.pad->shares[k] * normal[i]);
     }
   }
-  return Scene(points.grasp(), up, forces, 1).moved(seconds);
+  return Scene(points.grasp(), up, forces, 1, sliding).moved(seconds);
 }
 
-// What is asserted is the model of a pad but for its centre of pressure: a normal force that is
-// spread evenly, and friction at each point by its share. So each point is pressed by a drive of
-// its own. A rigid pad on one drive would let the simulator choose the pressure, and with it where
-// friction is: then it slips, or holds, a tenth or more beside F*.
-TEST(Pads, WithEvenPressureHoldJustAboveTheLeastGripAndSlipBelow) {
+/// A grasp of pads, with its least grip.
+struct Tried {
+  space::Held held;
+  Vector<3> up;
+  Hold<3> found;
+
+  /// With so much of the least grip: the difference of the jaws is the weight along them.
+  double moved(double part, Sliding sliding) const {
+    const double more = (part - 1) * found.grip;
+    return physics::moved(held, up, {found.forces[0].normal + more, found.forces[1].normal + more},
+                          sliding);
+  }
+};
+
+/// Fifty random ones in which both jaws press.
+std::vector<Tried> tried_pads(bool centre_moves) {
   std::mt19937 numbers(1);
   std::uniform_real_distribution coordinate(-1.0, 1.0);
-  for (int tried = 0; tried < 50;) {
-    const space::Held held = random_pad_jaws(numbers);
-    const Vector<3> up =
+  std::vector<Tried> all;
+  while (all.size() < 50) {
+    Tried tried{random_pad_jaws(numbers), {}, {}};
+    for (Contact<3>& contact : tried.held.contacts)
+      if (!centre_moves) contact.pad->reach.setZero();
+    tried.up =
         Vector<3>(coordinate(numbers), coordinate(numbers), coordinate(numbers)).normalized();
-    const Grasp<3> grasp = held.grasp();
-    const Hold<3> found = least_grip(grasp, up);
-    ASSERT_TRUE(found.holdable);
-    const double F = found.grip, N0 = found.forces[0].normal, N1 = found.forces[1].normal;
-    // Their difference is the weight along the jaws.
-    const auto at = [&](double part) {
-      return moved(held, up, {N0 + (part - 1) * F, N1 + (part - 1) * F});
-    };
-    if (F > 200 || std::min(N0, N1) < 0.1 * F) continue;
-    ++tried;
-    EXPECT_LT(at(1.01), slipped) << tried << " at " << F << " N";
-    EXPECT_GT(at(0.98), 2 * slipped) << tried << " at " << F << " N";
+    tried.found = least_grip(tried.held.grasp(), tried.up);
+    const auto& [N0, N1] = std::pair(tried.found.forces[0].normal, tried.found.forces[1].normal);
+    if (tried.found.grip < 200 && std::min(N0, N1) > 0.1 * tried.found.grip) all.push_back(tried);
   }
+  return all;
+}
+
+// The model of a pad but for its centre of pressure: a normal force that is spread evenly, and
+// friction at each point by its share. So each point is pressed by a drive of its own.
+TEST(Pads, WithEvenPressureHoldJustAboveTheLeastGripAndSlipBelow) {
+  for (const Tried& tried : tried_pads(false)) {
+    EXPECT_LT(tried.moved(1.01, Sliding::contacts), slipped) << tried.found.grip << " N";
+    EXPECT_GT(tried.moved(0.98, Sliding::contacts), 2 * slipped) << tried.found.grip << " N";
+  }
+}
+
+// A rigid pad does not spread its force evenly: where its centre of pressure moves, friction goes
+// along. docs/grasp-file.md tells what that takes: with seeds 1 to 3 between 11 and 17 of 50 slip
+// with 1.02 of the least grip, 2 to 4 with 1.1, and none with 1.2.
+TEST(Pads, RigidOnesNeedUpToAFifthMore) {
+  int slips = 0;
+  for (const Tried& tried : tried_pads(true)) {
+    slips += tried.moved(1.02, Sliding::fingers) > slipped ? 1 : 0;
+    EXPECT_LT(tried.moved(1.2, Sliding::fingers), slipped) << tried.found.grip << " N";
+  }
+  EXPECT_GT(slips, 0);
+  EXPECT_LT(slips, 25);
 }
 
 }  // namespace

@@ -46,9 +46,13 @@ inline std::string text(const Vector<3>& v) {
   return out.str();
 }
 
-/// One finger for each contact: a small ball that slides along the inward normal alone, pressed on
-/// a flat pad of the object at the contact's position. Only these pairs touch. The load acts on
-/// the object alone, so that fingers weigh nothing.
+/// What slides by itself: each contact, or all contacts of a finger, which have one normal, as one
+/// rigid piece.
+enum class Sliding { contacts, fingers };
+
+/// A small ball for each contact, that slides along the inward normal alone, pressed on a flat pad
+/// of the object at the contact's position. Only these pairs touch. The load acts on the object
+/// alone, so that fingers weigh nothing.
 class Scene {
  public:
   /// The centre of mass is the hand's center.
@@ -57,8 +61,12 @@ class Scene {
   /// @param normal_forces  one for each contact
   /// @param friction       what friction and torsion are multiplied by
   Scene(const Hand<3>& hand, double weight, const Wrench<3>& load,
-        const std::vector<double>& normal_forces, double friction)
-      : hand_(hand), weight_(weight), model_(model_of(document(normal_forces, friction))) {
+        const std::vector<double>& normal_forces, double friction,
+        Sliding sliding = Sliding::contacts)
+      : hand_(hand),
+        weight_(weight),
+        sliding_(sliding),
+        model_(model_of(document(normal_forces, friction))) {
     data_.reset(mj_makeData(model_.get()));
     const Vector<3> force = load.head<3>();
     const Vector<3> moment = load.tail<3>() - hand_.center().cross(force);
@@ -66,13 +74,18 @@ class Scene {
       data_->xfrc_applied[6 * object + k] = -force[k];
       data_->xfrc_applied[6 * object + 3 + k] = -moment[k];
     }
-    for (std::size_t k = 0, motor = 0; k < normal_forces.size(); ++k)
-      if (presses(normal_forces[k])) data_->ctrl[motor++] = normal_forces[k];
+    std::ptrdiff_t motor = -1;
+    for (std::size_t k = 0; k < normal_forces.size(); ++k) {
+      if (!presses(normal_forces[k])) continue;
+      if (begins_piece(k)) ++motor;
+      data_->ctrl[motor] += normal_forces[k];
+    }
   }
   /// Against the grasp's load in the posture `up`.
   Scene(const Grasp<3>& grasp, const Vector<3>& up, const std::vector<double>& normal_forces,
-        double friction)
-      : Scene(grasp, grasp.size(), grasp.loads().front().at(up), normal_forces, friction) {}
+        double friction, Sliding sliding = Sliding::contacts)
+      : Scene(grasp, grasp.size(), grasp.loads().front().at(up), normal_forces, friction, sliding) {
+  }
 
   /// Presses for a while, after contact has been made with twice the friction, or the object would
   /// begin with a small fall. @return how far the centre of mass, or a point beside it at the
@@ -101,6 +114,11 @@ class Scene {
     return {q[0], q[1], q[2], q[3]};
   }
 
+  /// Contacts of a finger follow each other.
+  bool begins_piece(std::size_t k) const {
+    return sliding_ == Sliding::contacts || k == 0 || hand_.finger_of(k) != hand_.finger_of(k - 1);
+  }
+
   bool presses(double normal_force) const { return normal_force > 1e-9 * weight_; }
 
   std::string document(const std::vector<double>& normal_forces, double friction) const {
@@ -117,10 +135,12 @@ class Scene {
            << "' pos='" << text(c.position + pad * n - com) << "' zaxis='" << text(n)
            << "' contype='0' conaffinity='0'/>\n";
       // A micrometre inside the pad, so that they touch from the first step.
-      fingers << "<body pos='" << text(c.position - (ball - 1e-6) * n) << "'><joint name='slide"
-              << k << "' type='slide' axis='" << text(n) << "'/><geom name='ball" << k
+      if (begins_piece(k))
+        fingers << (fingers.str().empty() ? "" : "</body>\n") << "<body><joint name='slide" << k
+                << "' type='slide' axis='" << text(n) << "'/>\n";
+      fingers << "<geom name='ball" << k << "' pos='" << text(c.position - (ball - 1e-6) * n)
               << "' type='sphere' size='" << ball << "' mass='" << normal_forces[k] / gravity
-              << "' contype='0' conaffinity='0'/></body>\n";
+              << "' contype='0' conaffinity='0'/>\n";
       const double mu = friction * c.friction;
       pairs << "<pair geom1='pad" << k << "' geom2='ball" << k << "' condim='"
             << (mu == 0         ? 1
@@ -129,7 +149,7 @@ class Scene {
             << "' friction='" << mu << ' ' << mu << ' ' << friction * c.torsion
             << " 0 0' margin='0' solref='0.001 1' "
             << "solimp='0.99 0.99 0.001'/>\n";
-      motors << "<motor joint='slide" << k << "'/>\n";
+      if (begins_piece(k)) motors << "<motor joint='slide" << k << "'/>\n";
     }
     std::ostringstream xml;
     xml.precision(17);
@@ -138,13 +158,14 @@ class Scene {
         << text(com) << "'><freejoint/><inertial pos='0 0 0' mass='" << mass << "' diaginertia='"
         << inertia << ' ' << inertia << ' ' << inertia << "'/>\n"
         << pads.str() << "</body>\n"
-        << fingers.str() << "</worldbody>\n<contact>" << pairs.str() << "</contact>\n<actuator>"
-        << motors.str() << "</actuator></mujoco>\n";
+        << fingers.str() << (fingers.str().empty() ? "" : "</body>") << "</worldbody>\n<contact>"
+        << pairs.str() << "</contact>\n<actuator>" << motors.str() << "</actuator></mujoco>\n";
     return xml.str();
   }
 
   Hand<3> hand_;
   double weight_;
+  Sliding sliding_;
   Model model_;
   Data data_;
 };
