@@ -98,6 +98,10 @@ TEST(Pads, RigidOnesNeedUpToAFifthMore) {
   for (const Tried& tried : tried_pads(true)) {
     slips += tried.moved(1.02, Sliding::fingers) > slipped ? 1 : 0;
     EXPECT_LT(tried.moved(1.2, Sliding::fingers), slipped) << tried.found.grip << " N";
+    space::Held slippery = tried.held;
+    for (Contact<3>& contact : slippery.contacts) contact.friction /= 1.5;
+    const double safe = least_grip(slippery.grasp(), tried.up).grip / tried.found.grip;
+    EXPECT_LT(tried.moved(safe, Sliding::fingers), slipped) << safe;
   }
   EXPECT_GT(slips, 0);
   EXPECT_LT(slips, 25);
