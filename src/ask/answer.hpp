@@ -120,6 +120,7 @@ template <int Dim>
 struct CapacityAnswer {
   PostureOption option;
   double force_cap{1e6}, safety{1.5};
+  std::optional<double> grip{};  ///< that shake and tilting are within [grip_unit()]
   std::vector<CapacityAt<Dim>> capacities;
 };
 

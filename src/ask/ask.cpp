@@ -411,12 +411,15 @@ template <int Dim>
 CapacityAnswer<Dim> capacities(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
                                const Question& question) {
   const HoldSettings settings{.force_cap = question.force_cap};
-  CapacityAnswer<Dim> answer{option_of(question), question.force_cap, question.safety, {}};
+  if (question.grip && !has_grip(grasp))
+    throw Misfit("grip", "is nothing where fingers have no closing direction, as in", 0);
+  CapacityAnswer<Dim> answer{
+      option_of(question), question.force_cap, question.safety, question.grip, {}};
   for (const auto& [name, up] : postures(file, grasp, question, Which::all))
     for (std::size_t k = 0; k < grasp.loads().size(); ++k) {
       const Load<Dim>& load = grasp.loads()[k];
       const Grasp<Dim> one(load, grasp.contacts(), 1, grasp.mechanism());
-      const ShakeSettings shaken{.force_cap = question.force_cap};
+      const ShakeSettings shaken{.force_cap = question.force_cap, .most_grip = question.grip};
       answer.capacities.push_back({name, up, k,
                                    capacity(grasp, load, up, question.safety, settings),
                                    shake(one, up, shaken), tilting(one, up, shaken)});

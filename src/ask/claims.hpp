@@ -246,7 +246,7 @@ struct OptionsClaim {
   std::optional<int> max_holds{};
   std::optional<Tilt> tilt{};
   std::optional<RotationClaim> orientation{};
-  std::optional<double> safety{}, angle_deg{};
+  std::optional<double> safety{}, grip{}, angle_deg{};
   std::optional<std::vector<double>> up{};
 
   void fields(auto& visit) {
@@ -254,7 +254,7 @@ struct OptionsClaim {
     visit("force_cap", force_cap);
     visit.maybe("objective", objective, "gap", gap, "max_holds", max_holds, "tilt", tilt,
                 "orientation", orientation);
-    visit.maybe("safety", safety, "angle_deg", angle_deg, "up", up);
+    visit.maybe("safety", safety, "grip", grip, "angle_deg", angle_deg, "up", up);
   }
 };
 

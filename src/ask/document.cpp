@@ -536,8 +536,10 @@ CurveDocument claims_of(const Grasp<2>& grasp, const CurveAnswer& answer) {
 template <int Dim>
 CapacityDocument<Dim> claims_of(const Grasp<Dim>& grasp, const CapacityAnswer<Dim>& answer) {
   CapacityDocument<Dim> claim;
-  claim.options = {
-      .force_cap = answer.force_cap, .safety = answer.safety, .angle_deg = answer.option.angle_deg};
+  claim.options = {.force_cap = answer.force_cap,
+                   .safety = answer.safety,
+                   .grip = answer.grip,
+                   .angle_deg = answer.option.angle_deg};
   if (!answer.option.up.empty()) claim.options.up = answer.option.up;
   const Hand<Dim> safe(grasp.contacts(), grasp.center(), answer.safety, grasp.mechanism());
   for (const CapacityAt<Dim>& at : answer.capacities) {

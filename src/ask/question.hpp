@@ -25,8 +25,9 @@ struct Question {
   std::optional<Vector<3>> tilt_from{};
   std::optional<double> tilt_max_deg{};
   std::optional<Eigen::Quaterniond> orientation{};  ///< the present one, object to world
-  bool with_turn{true};  ///< best: whether to look at the turn; turn: at other ways
-  double safety{1.5};    ///< of capacity
+  bool with_turn{true};          ///< best: whether to look at the turn; turn: at other ways
+  double safety{1.5};            ///< of capacity
+  std::optional<double> grip{};  ///< of capacity: what drives give at most to what shakes and tilts
 };
 
 }  // namespace poise

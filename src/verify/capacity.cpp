@@ -356,7 +356,7 @@ void check_postures(Verdict& verdict, const RealGrasp& grasp, const CapacityDocu
 template <int Dim>
 void check_capacity(Verdict& verdict, const RealGrasp& grasp, const CapacityDocument<Dim>& capacity,
                     const Present& present) {
-  check_options(verdict, Dim, capacity.options, {"safety"}, {"angle_deg", "up"});
+  check_options(verdict, Dim, capacity.options, {"safety"}, {"grip", "angle_deg", "up"});
   const Real cap = capacity.options.force_cap, safety = capacity.options.safety.value_or(1);
   verdict.check(Path() / "capacities", "there are some", !capacity.capacities.empty());
   if (capacity.capacities.empty()) return;

@@ -39,7 +39,7 @@ void check_options(Verdict& verdict, int dim, const OptionsClaim& given,
                    const std::vector<std::string_view>& needed,
                    const std::vector<std::string_view>& possible) {
   const auto& [domain, present, force_cap, objective, gap, max_holds, tilt, orientation, safety,
-               angle, up] = given;
+               grip, angle, up] = given;
   const Option options[] = {
       {"force_cap", "is above 0 and at most 1e9", true, force_cap > 0 && force_cap <= 1e9},
       {"domain", "is all in space", domain.has_value(), dim == 2 || domain == Domain::all},
@@ -53,6 +53,7 @@ void check_options(Verdict& verdict, int dim, const OptionsClaim& given,
       {"orientation", "is a quaternion of length 1", orientation.has_value(),
        orientation && is_right(*orientation)},
       {"safety", "is at least 1", safety.has_value(), safety >= 1},
+      {"grip", "is above 0 and finite", grip.has_value(), grip > 0 && std::isfinite(*grip)},
       {"angle_deg", "is in (-180, 180], and there is no up", angle.has_value(),
        angle > -180 && angle <= 180 && !up},
       {"up", "is a direction", up.has_value(), up && is_right(*up, dim)}};

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "ask/document.hpp"
+#include "poise/grip.hpp"
 #include "verify/trig.hpp"
 
 namespace poise::verify {
@@ -271,14 +272,41 @@ template void check_shake(Verdict&, const Path&, const Grasp<2>&, const Vector<2
 template void check_shake(Verdict&, const Path&, const Grasp<3>&, const Vector<3>&,
                           const ShakeClaim<3>&, Real);
 
+namespace {
+
+/// The grasp with one load, and drives that give no more than a grip.
+template <int Dim>
+Grasp<Dim> with_grip(const Grasp<Dim>& given, std::size_t load, const std::optional<double>& grip) {
+  Mechanism<Dim> mechanism = given.mechanism();
+  if (grip) {
+    const bool in_parts = grip_unit(given) == GripUnit::part_of_max;
+    const auto limit = [&](double& max) { max = in_parts ? *grip * max : std::min(max, *grip); };
+    for (Drive<Dim>& drive : mechanism.drives) limit(drive.max);
+    if (mechanism.kind != DriveKind::listed)
+      for (const std::string& name : given.fingers()) {
+        const auto is_it = [&](const Finger<Dim>& finger) { return finger.name == name; };
+        auto& fingers = mechanism.fingers;
+        if (std::none_of(fingers.begin(), fingers.end(), is_it)) fingers.push_back({.name = name});
+        limit(std::find_if(fingers.begin(), fingers.end(), is_it)->max_force);
+      }
+  }
+  return {given.loads()[load], given.contacts(), 1, std::move(mechanism)};
+}
+
+}  // namespace
+
 template <int Dim>
 void check_shakes(Verdict& verdict, const Grasp<Dim>& given,
                   const CapacityDocument<Dim>& capacity) {
+  const auto& grip = capacity.options.grip;
+  const bool possible = !grip || (has_grip(given) && *grip > 0 && std::isfinite(*grip));
+  verdict.check(Path() / "options" / "grip", "grip is one that the hand has", possible);
+  if (!possible) return;
   for (std::size_t k = 0; k < capacity.capacities.size(); ++k) {
     const CapacityClaim<Dim>& claim = capacity.capacities[k];
     const std::size_t load = claim.load.value_or(0);
     if (load >= given.loads().size()) continue;  // refused already
-    const Grasp<Dim> one(given.loads()[load], given.contacts(), 1, given.mechanism());
+    const Grasp<Dim> one = with_grip(given, load, capacity.options.grip);
     Shaking<Dim> shaking(verdict, one, claim.up, capacity.options.force_cap);
     const Path place = (Path() / "capacities")[k];
     shaking.check_shake(place / "shake", claim.shake);

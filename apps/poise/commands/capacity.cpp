@@ -18,6 +18,12 @@ const Subcommand capacity_command{
                         "--safety", text, "a factor, must be at least 1 and at most 1e6",
                         [](double safety) { return safety >= 1 && safety <= 1e6; });
                   });
+      flags.value("--grip", "F",
+                  "Shake and tilt with at most this grip: newtons, newton metres, or a part of max",
+                  [&](const auto& text) {
+                    question.grip = read_number("--grip", text, "a grip, must be above 0",
+                                                [](double grip) { return grip > 0; });
+                  });
       return [asked] { return answer(*asked); };
     }};
 

@@ -160,8 +160,8 @@ std::string tilt_text(const Tilting<Dim>& found) {
 /// One posture, against all loads: what decides is the load that leaves least.
 template <int Dim>
 std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
-                           const std::vector<const CapacityAt<Dim>*>& loads, double safety,
-                           const Style& style) {
+                           const std::vector<const CapacityAt<Dim>*>& loads,
+                           const CapacityAnswer<Dim>& answer, const Style& style) {
   const auto given = [&](const CapacityAt<Dim>& at) { return grasp.loads()[at.load].weight; };
   const auto part = [&](const CapacityAt<Dim>& at, double weight) {
     return given(at) > 0 ? weight / given(at) : weight;
@@ -188,7 +188,7 @@ std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
   table.add({"least friction", friction_text(grasp, slippery.capacity.friction, file.safety) +
                                    load_text(grasp, slippery.load)});
   const std::string on_friction = fmt::format(
-      "with a safety factor of {} on the friction{}", plain(safety),
+      "with a safety factor of {} on the friction{}", plain(answer.safety),
       file.safety == 1 ? "" : fmt::format(", on top of the file's {}", plain(file.safety)));
   const bool grips = has_grip(grasp);
   const std::string command = std::isinf(force(hardest)) ? "none: it cannot be held "
@@ -200,8 +200,10 @@ std::string posture_report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
       most(loads, [](const CapacityAt<Dim>& at) { return -at.shake.acceleration; });
   const CapacityAt<Dim>& tilty =
       most(loads, [](const CapacityAt<Dim>& at) { return -at.tilting.angle; });
-  table.add({"shake", shake_text(shaky.shake) + load_text(grasp, shaky.load)});
-  table.add({"tilt", tilt_text(tilty.tilting) + load_text(grasp, tilty.load)});
+  const std::string within =
+      answer.grip ? ", with a grip of " + grip_text(grasp, *answer.grip) : "";
+  table.add({"shake", shake_text(shaky.shake) + load_text(grasp, shaky.load) + within});
+  table.add({"tilt", tilt_text(tilty.tilting) + load_text(grasp, tilty.load) + within});
   return heading(place_text(first.up) + which_text(first.posture), style) + table.text(style) +
          why_no_more(grasp, range);
 }
@@ -221,7 +223,7 @@ std::string report(const FileOf<Dim>& file, const Grasp<Dim>& grasp,
   for (std::size_t begin = 0; begin < answer.capacities.size(); begin += count) {
     std::vector<const CapacityAt<Dim>*> loads;
     for (std::size_t k = 0; k < count; ++k) loads.push_back(&answer.capacities[begin + k]);
-    text += posture_report<Dim>(file, grasp, loads, answer.safety, style);
+    text += posture_report<Dim>(file, grasp, loads, answer, style);
   }
   return text;
 }
