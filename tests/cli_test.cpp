@@ -552,8 +552,9 @@ TEST_F(CommandLine, VerifyConfirmsCapacityAndRefutesMore) {
   EXPECT_TRUE(refuted([](Json& at) { at["command"]["contacts"][0]["normal_force"] = 12.5; }));
   EXPECT_FALSE(refuted([](Json&) {}));
 
-  for (const char* const name : {"l-part", "hexagon-three-fingers", "ito-fig6", "bottle",
-                                 "box-hard-jaws", "box-soft-jaws", "cylinder-three-fingers"}) {
+  for (const char* const name :
+       {"l-part", "hexagon-three-fingers", "ito-fig6", "bottle", "box-hard-jaws", "box-soft-jaws",
+        "cylinder-three-fingers", "screwdriver"}) {
     write("answer.json", poise("capacity " + example(name) + " --json").out);
     EXPECT_EQ(poise("verify " + example(name) + " answer.json").status, 0) << name;
   }

@@ -33,9 +33,8 @@ void same(const Hold<Dim>& one, const Hold<Dim>& other, double weight, double ro
   }
   if (std::sqrt(one.effort) > 1000 * weight) return;
   RC_ASSERT(std::abs(one.value() - other.value()) <=
-            rounding * (std::abs(one.value()) + (one.objective == Objective::grip
-                                                     ? weight
-                                                     : weight * weight)));
+            rounding * (std::abs(one.value()) +
+                        (one.objective == Objective::grip ? weight : weight * weight)));
 }
 
 template <int Dim>
@@ -152,10 +151,49 @@ TEST(Loads, MoveTheRangeOfWeights) {
   const WeightRange<3> pushed = range({.weight = 1, .fixed = wrench_of<3>({0, 0, -30}, {0, 0, 0})});
   EXPECT_NEAR(pushed.least.weight, 10, 1e-5);
   EXPECT_NEAR(pushed.greatest.weight, 50, 1e-4);
-  const LeastFriction<3> friction = least_friction<3>(
-      hand, {.weight = 4, .fixed = wrench_of<3>({0, 0, 6}, {0, 0, 0})}, up);
+  const LeastFriction<3> friction =
+      least_friction<3>(hand, {.weight = 4, .fixed = wrench_of<3>({0, 0, 6}, {0, 0, 0})}, up);
   EXPECT_NEAR(friction.factor, 0.5, 1e-6);
   EXPECT_NEAR(friction.bound, 0.5, 1e-6);
+}
+
+TEST(Loads, OfWhichNoWeightIsHeldAreProven) {
+  const Vector<3> up(0, 0, 1);
+  const Hand<3> hand(two_fingers(20), {0, 0, 0});  // which carries 20 N
+  const auto range = [&](const Load<3>& load) { return weight_range<3>(hand, load, up); };
+  // Pulled down with more than they carry, or along a line that they do not resist.
+  const WeightRange<3> pulled = range({.weight = 1, .fixed = wrench_of<3>({0, 0, 25}, {0, 0, 0})});
+  EXPECT_FALSE(pulled.holdable);
+  EXPECT_TRUE(pulled.proven);
+  EXPECT_EQ(pulled.greatest.bound, 0);
+  // Whoever falls freely weighs nothing: only what pulls counts.
+  const auto falling = [&](double pull) {
+    return range({.weight = 1, .fixed = wrench_of<3>({0, 0, pull}, {0, 0, 0}), .lift = -g});
+  };
+  EXPECT_TRUE(falling(19).holdable && falling(19).proven);
+  EXPECT_EQ(falling(19).greatest.weight, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(falling(19).least.weight, 0);
+  EXPECT_FALSE(falling(21).holdable);
+  EXPECT_TRUE(falling(21).proven);
+}
+
+TEST(Loads, AreMeasuredOverTheFarthestPointOfAPad) {
+  std::vector<Contact<3>> contacts = two_fingers();
+  for (Contact<3>& contact : contacts) {
+    contact.torsion = 0;
+    contact.pad = rectangular_pad({0.06, 0.02}, {0, 0, 1}, contact.normal, 2);
+  }
+  const Hand<3> hand(contacts, {0, 0, 0});
+  const double corner = contacts[0].pad->points[0].norm(), length = std::hypot(0.03, corner);
+  EXPECT_NEAR(hand.length(), length, 1e-15);
+  Load<3> turned{.weight = 0, .fixed = wrench_of<3>({0, 0, 40}, {0, 0, 0})};
+  turned.fixed[5] = 2;
+  // Both press as hard as the force cap allows and drag half of the force; where they press gives
+  // the moment.
+  const double cap = 1e6, most = cap * (40 + 2 / length) / std::sqrt(2);
+  const LeastFriction<3> friction = least_friction<3>(hand, turned, {0, 0, 1}, {.force_cap = cap});
+  EXPECT_NEAR(friction.factor, 40 / (2 * 0.5) / most, 1e-6 * friction.factor);
+  EXPECT_NEAR(friction.bound, friction.factor, 1e-6 * friction.factor);
 }
 
 Load<3> random_load(const Load<3>& plain) {
@@ -186,8 +224,7 @@ RC_GTEST_PROP(Loads, NoPostureNeedsLessThanTheBest, ()) {
     double most = 0;
     for (const Load<3>& load : file.loads) {
       const Hold<3> hold = poise::hold<3>(grasp, load, up, {.objective = *question.objective});
-      most = std::max(most, hold.holdable ? hold.value()
-                                          : std::numeric_limits<double>::infinity());
+      most = std::max(most, hold.holdable ? hold.value() : std::numeric_limits<double>::infinity());
     }
     RC_ASSERT(best.lower_bound <= most * (1 + 1e-7) + 1e-9);
     if (best.status == Status::unholdable) RC_ASSERT(std::isinf(most));
@@ -197,6 +234,63 @@ RC_GTEST_PROP(Loads, NoPostureNeedsLessThanTheBest, ()) {
   const verify::Verdict verdict = verify::verify<3>(grasp, std::get<BestAnswer<3>>(answer.of));
   RC_ASSERT(verify::refutations_text(verdict) == "");
 }
+
+/// Fixed wrenches and accelerations, also beside no weight or one that does not turn with gravity.
+template <int Dim>
+Load<Dim> any_load(double weight) {
+  Load<Dim> load{.weight = one_in(5) ? 0 : weight, .com = 0.3 * any_direction<Dim>()};
+  if (one_in(3)) load.lift = one_in(4) ? -g : real(-3, 8);
+  if (one_in(2)) load.acceleration = real(0, 8) * any_direction<Dim>();
+  if (one_in(2) || load.weight == 0 || load.lift == -g) {
+    load.fixed = wrench_of<Dim>(real(0.1, 3) * weight * any_direction<Dim>(), any_direction<Dim>());
+    if (one_in(3))
+      load.fixed.template tail<wrench_size<Dim> - Dim>().array() += weight * real(0, 1);
+  }
+  return load;
+}
+
+/// At times between two pads alone, where little friction is enough.
+std::vector<Contact<3>> with_pads(std::vector<Contact<3>> contacts) {
+  for (Contact<3>& contact : contacts) {
+    if (!one_in(2)) continue;
+    const Vector<3> along = space::random_direction();
+    if (along.cross(contact.normal.normalized()).norm() < 0.1) continue;
+    contact.torsion = 0;
+    contact.share = 1;
+    contact.pad = rectangular_pad({real(0.05, 0.6), real(0.05, 0.6)}, along, contact.normal, 2);
+  }
+  return contacts;
+}
+std::vector<Contact<2>> with_pads(std::vector<Contact<2>> contacts) { return contacts; }
+
+/// Every claim of a capacity document is proven by mathematics that share nothing with it.
+template <int Dim>
+void capacities_are_confirmed(int rarely) {
+  if (!one_in(rarely)) return;
+  const bool awkward = one_in(4);
+  const auto held = [&] {
+    if constexpr (Dim == 2)
+      return *grasps({.most_contacts = 5, .awkward = awkward});
+    else
+      return *space::grasps({.least_contacts = 2, .most_contacts = 5, .awkward = awkward});
+  }();
+  FileOf<Dim> file;
+  file.contacts = with_pads(held.contacts);
+  for (int count = pick(1, 2); count > 0; --count)
+    file.loads.push_back(any_load<Dim>(held.object.weight));
+  if (one_in(3)) file.mechanism.kind = DriveKind::coupled;
+  const Grasp<Dim> grasp = file.grasp();
+  const Vector<Dim> up = any_direction<Dim>();
+  Question question{.command = Command::capacity, .up = {up.data(), up.data() + Dim}};
+  if (one_in(4)) question.force_cap = std::pow(10, pick(1, 7));
+  const AnswerTo<Dim> answer = ask(file, grasp, question);
+  const auto& capacity = std::get<CapacityAnswer<Dim>>(answer.of);
+  const verify::Verdict verdict = verify::verify<Dim>(grasp, capacity);
+  if (!verdict.confirmed()) RC_LOG() << document(grasp, capacity);
+  RC_ASSERT(verify::refutations_text(verdict) == "");
+}
+RC_GTEST_PROP(Loads, CapacitiesAreConfirmedInThePlane, ()) { capacities_are_confirmed<2>(4); }
+RC_GTEST_PROP(Loads, CapacitiesAreConfirmedInSpace, ()) { capacities_are_confirmed<3>(10); }
 
 }  // namespace
 }  // namespace poise::test

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "poise/posture.hpp"
@@ -577,6 +578,34 @@ void try_random_grasps(unsigned seed, int count) {
 }
 TEST(Shake, OfRandomGraspsInThePlaneIsWhatHoldsSay) { try_random_grasps<2>(5, 200); }
 TEST(Shake, OfRandomGraspsInSpaceIsWhatHoldsSay) { try_random_grasps<3>(6, 150); }
+
+/// Of this grasp one border point of what is held has no forces of its own.
+TEST(Shake, TiltingIsToldALittleNearerWhereRoundingDecides) {
+  std::mt19937 random(1006);
+  std::optional<Grasp<3>> grasp;
+  Vector<3> up;
+  for (int k = 0; k <= 23; ++k) {
+    grasp.emplace(random_grasp<3>(random));
+    up = random_direction<3>(random);
+  }
+  const Tilting<3> tilted = tilting<3>(*grasp, up);
+  check<3>(*grasp, up, tilted, random, 200);
+  EXPECT_NEAR(tilted.bound, 0.8826, 1e-3);
+  EXPECT_GT(tilted.angle, 0.98 * tilted.bound);
+  // All that is told is held, and the cap lies in the hull of it.
+  for (const Vector<3>& x : tilted.held[0]) {
+    Load<3> load = grasp->loads()[0];
+    load.lift = x.norm() * (standard_gravity + load.lift) - standard_gravity;
+    EXPECT_TRUE(hold<3>(*grasp, load, Vector<3>(x.normalized())).holdable);
+  }
+  for (int k = 0; k < 500; ++k) {
+    const Vector<3> n = random_direction<3>(random);
+    double most = -infinity;
+    for (const Vector<3>& x : tilted.held[0]) most = std::max(most, n.dot(x));
+    const double away = std::acos(std::clamp(n.dot(up), -1.0, 1.0));
+    EXPECT_GE(most, std::cos(std::max(away - tilted.angle, 0.0)) * (1 - 1e-9));
+  }
+}
 
 }  // namespace
 }  // namespace poise::test

@@ -41,7 +41,8 @@ struct WeightRange {
   bool proven{true};
   WeightEnd<Dim> least;  ///< above 0 only where contacts have a min_normal
   /// Infinite where contacts without max_normal can hold any weight and drives with a max have
-  /// nothing to do for it: then its hold is of the given weight, by these alone.
+  /// nothing to do for it: then its hold is of the given weight, by these alone. Also where the
+  /// weight is nothing since it falls freely: then its hold is of the load as it is.
   WeightEnd<Dim> greatest;
   /// Of each contact, read off the proof of the greatest weight; empty where that is infinite or
   /// nothing can be held.

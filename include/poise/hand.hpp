@@ -108,7 +108,7 @@ class Hand {
   bool is_general() const { return is_general_; }
   /// The point that it was made with [m, object frame].
   const Vector<Dim>& center() const { return center_; }
-  /// L [m], the distance of the farthest contact from the center.
+  /// L [m], the distance of the farthest contact, or point of a pad, from the center.
   double radius() const { return radius_; }
   /// The unit of lengths: L, or 1 m where all contacts lie at the center.
   double length() const;

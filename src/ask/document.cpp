@@ -321,9 +321,10 @@ WeightClaim<Dim> weight_claim(const Hand<Dim>& hand, const Load<Dim>& load,
     other.weight = weight;
     return other.size(hand.length());
   };
-  // Where any weight is held, a fixed wrench is nothing near it.
+  // Where any weight is held, a fixed wrench is nothing near it; unless it falls freely.
   Load<Dim> alone = load;
   alone.fixed.setZero();
+  if (!(size(alone, 1) > 0)) alone = load;
   claim.greatest_hold = hold_claim(
       hand,
       claim.greatest ? size(load, *claim.greatest) : size(alone, load.weight > 0 ? load.weight : 1),

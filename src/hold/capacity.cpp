@@ -45,6 +45,17 @@ struct Power {
   Real fixed{0}, growing{0};
 };
 
+/// How far the farthest point of a contact is.
+template <int Dim>
+double farthest(const Contact<Dim>& contact, const Vector<Dim>& from) {
+  double distance = (contact.position - from).norm();
+  if constexpr (Dim == 3)
+    if (contact.pad)
+      for (const Vector<3>& point : contact.pad->points)
+        distance = std::max(distance, (contact.position + point - from).norm());
+  return distance;
+}
+
 /// What is asked: a weight through the load's com, in a posture. Equation (8) of docs/theory.md.
 template <int Dim>
 struct Question {
@@ -56,7 +67,7 @@ struct Question {
     limited = limited_drives;
     for (const Contact<Dim>& contact : hand.contacts()) {
       limited = limited || std::isfinite(contact.max_normal);
-      radius = std::max(radius, (contact.position - load.com).norm());
+      radius = std::max(radius, farthest(contact, load.com));
     }
     Load<Dim> newton = load;
     newton.weight = 1;
@@ -72,7 +83,7 @@ struct Question {
   const HoldSettings& settings;
   std::vector<Drive<Dim>> drives;
   bool limited_drives{false}, limited{false};
-  double radius{0};  ///< L of this load: the hand's is about its center
+  double radius{0};        ///< L of this load: the hand's is about its center
   Wrench<Dim> per_newton;  ///< what a newton of weight adds to the load, with its accelerations
   double moving, still;    ///< the load's size is at most moving weight + still
 
@@ -281,6 +292,7 @@ Hold<Dim> hold_without_limits(const Question<Dim>& asked) {
   hold.dual = found.dual;
   if (!found.holdable) return hold;
   hold.effort = found.effort;
+  hold.lower_bound = found.lower_bound;
   hold.residual = found.residual;
   hold.forces.resize(hand.contacts().size());
   std::size_t next = 0;
@@ -296,7 +308,7 @@ Hold<Dim> hold_without_limits(const Question<Dim>& asked) {
       continue;
     }
     ContactForce<Dim> none{};
-    none.limit = ForceLimit::none;
+    none.limit = ForceLimit::max;  // which is 0
     if constexpr (Dim == 3) none.tangential = none.center_of_pressure = Vector<3>::Zero();
     hold.forces[i] = none;
   }
@@ -354,8 +366,10 @@ class WeightSearch {
     const auto weight = static_cast<double>(row.fixed / row.gain);
     WeightEnd<Dim>& least = range_.least;
     WeightEnd<Dim>& greatest = range_.greatest;
-    if (row.gain >= 0 && weight < greatest.bound) {
-      greatest.bound = std::max(weight, 0.0);
+    const bool none = row.gain >= 0 && row.fixed < -nothing * pressing_;
+    if (!none_ && (none || (row.gain > 0 && weight < greatest.bound))) {
+      none_ = none;
+      greatest.bound = none ? 0 : std::max(weight, 0.0);
       greatest.dual = proof.y;
       greatest.rates = proof.rates;
     } else if (row.gain < 0 && weight > least.bound && !from_zero_) {
@@ -366,7 +380,7 @@ class WeightSearch {
   }
 
   bool empty() const {
-    return (!(asked_.still > 0) && range_.greatest.bound <= dual::delta * strength_) ||
+    return none_ || (!(asked_.still > 0) && range_.greatest.bound <= dual::delta * strength_) ||
            range_.greatest.bound < range_.least.bound ||
            range_.least.bound > out_of_proportion * pressing_;
   }
@@ -383,11 +397,21 @@ class WeightSearch {
 
   void bound_greatest() {
     const Hand<Dim>& hand = asked_.hand;
+    if (!(asked_.moving > 0)) {  // it falls freely: any weight is as good as none
+      Proof<Dim> proof;
+      if (asked_.holds(asked_.load.weight, 1, greatest_, proof))
+        range_.greatest.weight = infinity;
+      else
+        cut(std::move(proof));
+      return;
+    }
     const Load<Dim> given = asked_.without_fixed();
     const double unit = given.size(hand.length());
-    if (!hand.is_general() || !asked_.limited) {
-      const auto& contacts = hand.is_general() ? hand.scaled() : hand.scaled().without_limits();
-      greatest_ = solve<Dim>(hand, contacts, 1, given, asked_.up, asked_.settings);
+    if (!hand.is_general()) {
+      greatest_ =
+          solve<Dim>(hand, hand.scaled().without_limits(), 1, given, asked_.up, asked_.settings);
+    } else if (!asked_.limited) {
+      greatest_ = hold_without_limits(asked_);
     } else {
       std::vector<Contact<Dim>> contacts = hand.contacts();
       for (Contact<Dim>& contact : contacts) contact.min_normal = 0;
@@ -477,6 +501,10 @@ class WeightSearch {
       end.posture = asked_.posture(std::move(hold), asked_.of(end.weight), hand);
       return;
     }
+    if (!(asked_.moving > 0)) {
+      end.posture = asked_.posture(std::move(hold), asked_.load, hand);
+      return;
+    }
     std::vector<Contact<Dim>> contacts = hand.contacts();
     for (Contact<Dim>& contact : contacts) {
       contact.min_normal = 0;
@@ -490,6 +518,7 @@ class WeightSearch {
   const Question<Dim>& asked_;
   double pressing_{0};     ///< how hard contacts must press even where there is no weight [N]
   bool from_zero_{false};  ///< they can do so without any weight
+  bool none_{false};       ///< the dual of the greatest weight leaves none, not even 0
   double strength_{0};     ///< of all contacts with max_normal [N]
   WeightRange<Dim> range_;
   Hold<Dim> least_, greatest_;
@@ -553,8 +582,8 @@ class FrictionSearch {
     proof.y /= size;
     for (double& rate : proof.rates) rate /= size;
     const Real unit = asked_.moving * asked_.load.weight + asked_.still;
-    const Real needed = asked_.load.weight * asked_.driven(proof.y) +
-                        asked_.driven_by_fixed(proof.y);
+    const Real needed =
+        asked_.load.weight * asked_.driven(proof.y) + asked_.driven_by_fixed(proof.y);
     const auto does = [&](const Proof<Dim>& with, double factor) {
       const Power most = asked_.power(with, factor);
       return needed > most.fixed + asked_.settings.force_cap * unit * most.growing;

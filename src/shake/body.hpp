@@ -63,9 +63,8 @@ class Body {
   int holds{0};
 
   const std::vector<SupplyCut<Dim>>& cuts() const { return cuts_; }
-  std::vector<Vector<Dim>> held() const {
-    return hull_ ? hull_->corners() : std::vector<Vector<Dim>>{};
-  }
+  /// Of what is held, where it has a size.
+  const std::optional<Hull<Dim>>& hull() const { return hull_; }
 
  private:
   /// Points that are held: as far towards what was asked as is known, and one beside that line.

@@ -71,14 +71,30 @@ class Hull {
   const std::vector<Facet>& facets() const { return facets_; }
   const Vector<Dim>& operator[](std::size_t point) const { return points_[point]; }
   /// The points that are corners of it.
-  std::vector<Vector<Dim>> corners() const {
+  std::vector<std::size_t> corners() const {
     std::vector<char> needed(points_.size(), 0);
     for (const Facet& facet : facets_)
       for (const std::size_t i : facet.corners) needed[i] = 1;
-    std::vector<Vector<Dim>> kept;
+    std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (needed[i] != 0) kept.push_back(points_[i]);
+      if (needed[i] != 0) kept.push_back(i);
     return kept;
+  }
+
+  /// Draws a corner nearer to a point inside, by a part of the way. Facets follow, which then lie
+  /// inside of the convex hull: between each of them and the point all is held. False: that has
+  /// no size any more.
+  bool draw(std::size_t corner, const Vector<Dim>& towards, double part) {
+    inside_ = towards;
+    points_[corner] += part * (towards - points_[corner]);
+    for (Facet& facet : facets_) {
+      if (std::find(facet.corners.begin(), facet.corners.end(), corner) == facet.corners.end())
+        continue;
+      const auto moved = facet_of(facet.corners);
+      if (!moved) return false;
+      facet = *moved;
+    }
+    return true;
   }
 
  private:

@@ -38,10 +38,16 @@ Real fixed_size(RealLoad load) {
   return load.size();
 }
 
+/// Of such a load its weight is nothing, however great.
+bool falls_freely(const RealLoad& load) {
+  return 1 + load.lift / standard_gravity == 0 && load.acceleration.isZero(0);
+}
+
 /// The contacts without max_normal alone, against the weight alone, beside which a fixed wrench is
 /// nothing where it is great enough. Of drives with a max check_idle sees that they do nothing.
 RealGrasp without_limits(RealGrasp grasp) {
   RealLoad& load = grasp.loads.front();
+  if (falls_freely(load)) return grasp;
   load.fixed.setZero();
   if (load.weight == 0) load.weight = 1;
   for (RealContact& contact : grasp.contacts) {
@@ -76,6 +82,9 @@ void check_at_limit(Verdict& verdict, const Path& place, const Case& given, cons
   check_up(verdict, place, real(hold->up), given.up, "the hold is of the posture asked for");
 }
 
+/// Not even a weight of 0.
+bool leaves_none(const WeightBound& proof) { return proof.gain >= 0 && proof.fixed < 0; }
+
 /// Checks a bound on the weights that can be held. `sign`: of what its dual gains with the weight.
 template <int Dim>
 void check_bound(Verdict& verdict, const Path& place, const Case& given, const Twist<Dim>& dual,
@@ -84,9 +93,10 @@ void check_bound(Verdict& verdict, const Path& place, const Case& given, const T
   if (!rates) return;
   const WeightBound proof =
       weight_bound(given.grasp, given.load(), given.up, real(dual), *rates, given.cap);
-  const Real proven = std::max(proof.fixed / proof.gain, Real{0});
+  const bool none = sign > 0 && leaves_none(proof);
+  const Real proven = none ? 0 : std::max(proof.fixed / proof.gain, Real{0});
   verdict.check(place, "no weight beyond the bound can be held, by its dual",
-                sign * proof.gain > 0 ? std::abs(proven - bound) : infinity,
+                none || sign * proof.gain > 0 ? std::abs(proven - bound) : infinity,
                 follows * (bound + given.load().size()));
 }
 
@@ -168,7 +178,8 @@ void check_greatest(Verdict& verdict, const Path& place, const Case& given,
   verdict.check(place / "greatest_bound", "there is a bound, unless any weight is held",
                 claim.any ? !claim.greatest_bound : claim.greatest_bound || claim.proven);
   if (claim.any) {
-    check_idle(verdict, place / "greatest_hold" / "drives", given, claim.greatest_hold);
+    if (!falls_freely(given.load()))
+      check_idle(verdict, place / "greatest_hold" / "drives", given, claim.greatest_hold);
     return check_at_limit(verdict, place / "greatest_hold", given, without_limits(given.grasp),
                           claim.greatest_hold);
   }
@@ -257,11 +268,15 @@ void check_weight(Verdict& verdict, const Path& place, const Case& given,
   for (const RealDrive& drive : given.grasp.drives)
     if (std::isfinite(drive.max)) strength += drive.turns ? drive.max / length : drive.max;
   const Real most = claim.greatest_bound ? Real{*claim.greatest_bound} : infinity;
+  const auto rates = rates_of(verdict, place, given.grasp, claim.greatest_rates);
+  const bool none = claim.greatest_bound && rates &&
+                    leaves_none(weight_bound(given.grasp, given.load(), given.up,
+                                             real(claim.greatest_dual), *rates, given.cap));
   if (claim.proven)
     verdict.unchecked(place / "holdable", "it is said that weights may be held: none was found");
   else
     verdict.check(place / "holdable", "that no weight can be held follows from its bounds",
-                  most < claim.least_bound || (fixed == 0 && most <= loose * strength) ||
+                  none || most < claim.least_bound || (fixed == 0 && most <= loose * strength) ||
                       claim.least_bound > out_of_proportion * pressing);
   for (const auto& [key, null] :
        {std::pair{"any", !claim.any}, {"greatest", !claim.greatest}, {"least", !claim.least}})

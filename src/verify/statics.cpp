@@ -255,6 +255,15 @@ Real gyration_about(const RealPad& pad, const Vec& across, Real reach) {
   return std::sqrt(square) > 1e-6L * reach ? std::sqrt(square) : reach / std::sqrt(Real{3});
 }
 
+/// How far the farthest point of a contact is.
+Real farthest(const RealContact& contact, const Vec& from) {
+  Real distance = (contact.position - from).norm();
+  if (contact.pad)
+    for (const RealPad::Point& point : contact.pad->points)
+      distance = std::max(distance, (contact.position + point.place - from).norm());
+  return distance;
+}
+
 /// Makes a pad of what is already a point contact.
 void add_pad(const Pad& given, RealContact& contact) {
   RealPad& pad = contact.pad.emplace();
@@ -311,7 +320,7 @@ RealGrasp real_grasp(const Grasp<Dim>& grasp) {
     RealLoad& real_load = result.loads.emplace_back();
     real_load = {load.weight, real(load.com), real(load.fixed), load.lift, real(load.acceleration)};
     for (const RealContact& contact : result.contacts)
-      real_load.radius = std::max(real_load.radius, (contact.position - real_load.com).norm());
+      real_load.radius = std::max(real_load.radius, farthest(contact, real_load.com));
     real_load.length = result.loads.front().radius > 0 ? result.loads.front().radius : 1;
   }
   return result;

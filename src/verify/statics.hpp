@@ -65,7 +65,7 @@ struct RealLoad {
   Real lift{0};
   Vec acceleration;
   Real length{1};  ///< of the hand: it is about the com of the first load
-  Real radius{0};  ///< the distance of the farthest contact from the com
+  Real radius{0};  ///< of the farthest contact, or point of a pad, from the com
 
   Real turning() const;  ///< the force that turns with gravity
   Vec still() const;     ///< the wrench that does not, about the origin
