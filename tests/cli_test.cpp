@@ -397,6 +397,38 @@ TEST_F(Plot, DrawsEveryExampleAsItHangs) {
             "poise: none/old.png: cannot be written: No such file or directory\n");
 }
 
+TEST_F(Plot, ShowsWhatActsBesidesTheWeight) {
+  const auto picture_of = [&](const std::string& load, const std::string& command) {
+    write("loaded.yaml", R"({poise: 1, dimension: 2, angle_deg: 20,
+      object: {weight: 6, shape: {disk: {radius: 0.05}}},
+      contacts: [{position: [-0.05, 0], normal: [1, 0], friction: 2, finger: left},
+                 {position: [0.05, 0], normal: [-1, 0], friction: 2, finger: right}],
+      loads: [{)" + load + "}]}");
+    const Outcome run = poise(command);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return contents(folder() / "loaded.svg");
+  };
+  const auto shows = [](const std::string& svg, const std::string& words) {
+    return svg.find(">" + words + "<") != svg.npos;
+  };
+  for (const std::string command :
+       {"draw loaded.yaml -o loaded.svg", "curve loaded.yaml --plot loaded.svg"}) {
+    const std::string pushed = picture_of("force: [3, 4], at: [0, 0.02]", command);
+    EXPECT_TRUE(shows(pushed, "other load") && shows(pushed, "5.000 N"));
+    EXPECT_TRUE(shows(pushed, "6.000 N"));  // the weight, not the size of the load
+  }
+  const std::string draw = "draw loaded.yaml -o loaded.svg";
+  const std::string turned = picture_of("moment: 0.75", draw);
+  EXPECT_TRUE(shows(turned, "other load") && shows(turned, "0.7500 N m"));
+  EXPECT_TRUE(shows(turned, "6.000 N"));
+  const std::string lifted = picture_of("acceleration: {up: 4.903325}", draw);
+  EXPECT_TRUE(shows(lifted, "other load") && shows(lifted, "3.000 N"));
+  EXPECT_TRUE(shows(lifted, "6.000 N"));
+  const std::string plain = picture_of("weight: 7", draw);
+  EXPECT_FALSE(shows(plain, "other load"));
+  EXPECT_TRUE(shows(plain, "7.000 N"));
+}
+
 TEST_F(Plot, TakesNamesAsTheyAre) {
   write("name.yaml", fig_4c + "name: \"it's `touch was_run` {/Symbol a} <b>&amp; @x $y \\\\ é\"\n");
   EXPECT_EQ(poise("curve name.yaml --plot \"it's a name.svg\"").status, 0);

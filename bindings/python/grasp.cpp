@@ -107,10 +107,10 @@ void add_grasp(py::module_& module) {
                              each<AnyGrasp>([](const auto& grasp) { return grasp.fingers(); }),
                              "The fingers' labels in the order of their first contact.")
       .def("finger_of", &finger_of, py::arg("contact"), "Index into fingers of a contact.")
-      .def_property_readonly("radius",
-                             each<AnyGrasp>([](const auto& grasp) { return grasp.radius(); }),
-                             "L [m], the distance of the farthest contact from the centre of mass "
-                             "of the\nfirst load.")
+      .def_property_readonly(
+          "radius", each<AnyGrasp>([](const auto& grasp) { return grasp.radius(); }),
+          "L [m], the distance of the farthest contact, or point of a pad, from the centre of mass "
+          "of the\nfirst load.")
       .def("load", &load, py::arg("up"), py::arg("load") = py::none(),
            "The wrench that the contacts must supply in the posture up (2,) or (3,), about the "
            "object\nframe's origin: (3,) or (6,), force [N], moment [N m].\n\n"

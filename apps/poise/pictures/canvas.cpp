@@ -69,12 +69,21 @@ void Canvas::line(const std::vector<Vector<2>>& points, const Colour& colour, do
 
 void Canvas::arrow(const Vector<2>& from, const Vector<2>& to, const Colour& colour, double width,
                    const std::vector<double>& dashes) {
-  const Vector<2> way = to - from;
-  const double length = way.norm();
+  arrow({from, to}, colour, width, dashes);
+}
+
+void Canvas::arrow(std::vector<Vector<2>> points, const Colour& colour, double width,
+                   const std::vector<double>& dashes) {
+  double length = 0;
+  for (std::size_t k = 1; k < points.size(); ++k) length += (points[k] - points[k - 1]).norm();
   if (!(length > 0)) return;
-  const Vector<2> along = way / length, across(-along.y(), along.x());
   const double head = std::min(4.5 * width, 0.7 * length);
-  line({from, to - 0.8 * head * along}, colour, width, dashes);
+  const Vector<2> to = points.back();
+  do points.pop_back();
+  while (points.size() > 1 && (to - points.back()).norm() < head);
+  const Vector<2> along = (to - points.back()).normalized(), across(-along.y(), along.x());
+  points.push_back(to - 0.8 * head * along);
+  line(points, colour, width, dashes);
   fill({to, to - head * along + 0.4 * head * across, to - head * along - 0.4 * head * across},
        colour);
 }

@@ -29,6 +29,9 @@ class Canvas {
             const std::vector<double>& dashes = {});
   void arrow(const Vector<2>& from, const Vector<2>& to, const Colour& colour, double width,
              const std::vector<double>& dashes = {});
+  /// Along points, to the last.
+  void arrow(std::vector<Vector<2>> points, const Colour& colour, double width,
+             const std::vector<double>& dashes = {});
   void dot(const Vector<2>& at, double radius, const Colour& colour);
   /// Flush left at a point on the line of its letters' feet.
   void text(const std::string& words, const Vector<2>& at, double size, const Colour& colour,

@@ -176,7 +176,8 @@ void draw_curve(const PlanarFile& file, const Grasp<2>& grasp, const BestAnswer<
   if (!posture && best.holdable()) posture = &best.best();
   const Scene scene{.grasp = grasp,
                     .theta = posture ? posture->optimum.angle : file.angle.value_or(0),
-                    .hold = posture && posture->holdable() ? &posture->hold() : nullptr};
+                    .hold = posture && posture->holdable() ? &posture->hold() : nullptr,
+                    .load = posture ? posture->decides : 0};
   std::string posture_title = "cannot be held";
   if (posture)
     posture_title = fmt::format("{} posture: {}, {}", best.pinched ? "best pinched" : "best",
@@ -218,7 +219,8 @@ void draw_posture(const PlanarFile& file, const Grasp<2>& grasp, const Posture<2
   script.line("unset border\nunset tics\nset title {}", quoted(words, 80));
   const Scene scene{.grasp = grasp,
                     .theta = angle_of(posture.up),
-                    .hold = posture.holdable() ? &posture.hold() : nullptr};
+                    .hold = posture.holdable() ? &posture.hold() : nullptr,
+                    .load = posture.decides};
   draw_object(script, file.shape, scene, nullptr, width / ((top - bottom) * height));
   script.line("unset multiplot");
   draw(script.text(), path);

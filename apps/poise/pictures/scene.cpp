@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pictures/other_load.hpp"
 #include "tables/table.hpp"
 
 namespace poise {
@@ -87,12 +88,33 @@ void label_fingers(Script& script, const Scene& scene, const Arrows& arrows, dou
   }
 }
 
+/// The arrow of what acts besides the weight, dashed, with its label where it ends.
+void draw_other(Script& script, const OtherLoad<2>& other, const std::vector<Vector<2>>& arrow,
+                const Vector<2>& middle, double size) {
+  const Vector<2> tip = arrow.back();
+  const Vector<2> before = tip + 0.05 * (arrow[arrow.size() - 2] - tip);
+  script.data("other", {arrow});
+  script.layer("$other with lines lw 3 dt (4,2) lc rgb '{}' title '{}'", weight_colour,
+               other_load_title);
+  script.line("$othertip << end\n{} {} {} {}\nend", before.x(), before.y(), tip.x() - before.x(),
+              tip.y() - before.y());
+  script.layer(
+      "$othertip with vectors head filled size graph 0.03,20 fixed lw 0.1 lc rgb '{}' notitle",
+      weight_colour);
+  // On the side away from where it begins, or from the middle of a round one.
+  const double side = tip.x() < middle.x() - 0.01 * size ? -1 : 1;
+  for (const std::string& words : other.words())
+    label(script, quoted(words, 20), tip + Vector<2>(0.07 * side * size, 0),
+          side < 0 ? "right" : "left", 0, weight_colour);
+}
+
 }  // namespace
 
 void draw_object(Script& script, const std::optional<Shape>& shape, const Scene& scene,
                  const Minimum<2>* posture, double aspect) {
   const auto& contacts = scene.grasp.contacts();
-  const double weight = scene.grasp.size();
+  const Load<2>& load = scene.grasp.loads()[scene.load];
+  const OtherLoad<2> other(scene.grasp, load, up_at(scene.theta));
   std::vector<Vector<2>> line;
   if (shape)
     for (const Vector<2>& point : outline(*shape)) line.push_back(scene.placed(point));
@@ -105,19 +127,34 @@ void draw_object(Script& script, const std::optional<Shape>& shape, const Scene&
   };
   for (const Vector<2>& point : line) include(point);
   for (const Contact<2>& contact : contacts) include(scene.placed(contact.position));
+  if (other.is_there()) include(scene.placed(other.from));
   const Vector<2> centre = (lower + upper) / 2;
   double size = (upper - lower).maxCoeff() / 2;
   if (!(size > 0)) size = 1;
-  const Vector<2> view(1.55 * size * aspect, 1.55 * size);
-  script.line("set xrange [{}:{}]\nset yrange [{}:{}]", centre.x() - view.x(),
-              centre.x() + view.x(), centre.y() - view.y(), centre.y() + view.y());
 
   // Forces to one scale; the weight stays visible beside forces much larger than it.
-  double largest = weight;
+  double largest = std::max(load.weight, other.force.norm());
   if (scene.hold)
     for (std::size_t i = 0; i < contacts.size(); ++i)
       largest = std::max(largest, force_vector(contacts[i], scene.hold->forces[i]).norm());
   const double scale = scene.scale.value_or(0.9 * size / largest);
+  std::vector<Vector<2>> other_arrow;
+  if (other.pushes) {
+    const Vector<2> from = scene.placed(other.from);
+    other_arrow = {from, from + scale * scene.turned(other.force)};
+  } else if (other.turns) {
+    const Vector<2> a(0, 0.45 * size), b(other.moment[0] > 0 ? -a.y() : a.y(), 0);
+    other_arrow = round_arrow<2>(scene.placed(other.from), a, b);
+  }
+  double half = 1.55 * size;
+  for (const Vector<2>& point : other_arrow) {
+    const Vector<2> away = (point - centre).cwiseAbs();
+    half = std::max({half, away.y() + 0.25 * size, (away.x() + 0.4 * size) / aspect});
+  }
+  const Vector<2> view(half * aspect, half);
+  script.line("set xrange [{}:{}]\nset yrange [{}:{}]", centre.x() - view.x(),
+              centre.x() + view.x(), centre.y() - view.y(), centre.y() + view.y());
+
   std::vector<std::vector<Vector<2>>> free, limited, cones, pads;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     cones.push_back(cone(scene, contacts[i], 0.75 * size));
@@ -127,7 +164,7 @@ void draw_object(Script& script, const std::optional<Shape>& shape, const Scene&
     (scene.hold->forces[i].limit == ForceLimit::none ? free : limited)
         .push_back({scene.placed(contacts[i].position), scale * force});
   }
-  const Vector<2> gravity(0, -std::max(scale * weight, 0.2 * size));
+  const Vector<2> gravity(0, -std::max(scale * load.weight, 0.2 * size));
 
   line.push_back(line.empty() ? Vector<2>::Zero().eval() : line.front());
   script.data("outline", {line});
@@ -172,10 +209,13 @@ void draw_object(Script& script, const std::optional<Shape>& shape, const Scene&
   };
   arrows("forces", free, force_colour, "finger force");
   arrows("limited", limited, limit_colour, "at its force limit");
-  arrows("weight", {{Vector<2>::Zero(), gravity}}, weight_colour, "weight");
+  if (load.weight > 0) arrows("weight", {{Vector<2>::Zero(), gravity}}, weight_colour, "weight");
+  if (!other_arrow.empty()) draw_other(script, other, other_arrow, scene.placed(other.from), size);
   script.layer("$com with points pt 7 ps 0.8 lc rgb '{}' notitle", weight_colour);
-  label(script, quoted(newtons(weight), 20), gravity, "center", -0.8, weight_colour);
+  if (load.weight > 0)
+    label(script, quoted(newtons(load.weight), 20), gravity, "center", -0.8, weight_colour);
   free.insert(free.end(), limited.begin(), limited.end());
+  if (!other_arrow.empty()) free.push_back({other_arrow[0], other_arrow.back() - other_arrow[0]});
   label_fingers(script, scene, free, size);
   script.plot();
   script.line("unset label");

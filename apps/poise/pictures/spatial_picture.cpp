@@ -4,6 +4,7 @@
 
 #include "pictures/body.hpp"
 #include "pictures/canvas.hpp"
+#include "pictures/other_load.hpp"
 #include "pictures/pictures.hpp"
 #include "pictures/plot.hpp"
 #include "pictures/script.hpp"
@@ -40,14 +41,6 @@ struct Push {
   bool hidden{false}, limited{false}, by_pad{false};
 };
 
-/// What acts on the object besides its weight: inertia, and what pushes it.
-struct OtherLoad {
-  Vector<3> from;  ///< where its force acts, as near to the com as its line passes
-  Vector<3> force;
-  double moment;  ///< about the line of the force, or all of it where there is no force [N m]
-  Vector<3> tip = Vector<3>::Zero();  ///< of its arrow
-};
-
 /// All that is drawn.
 struct Picture {
   const Grasp<3>& grasp;
@@ -58,32 +51,15 @@ struct Picture {
   std::vector<Push> pushes;
   Vector<3> weight;  ///< tip of its arrow
   double cone_length;
-  OtherLoad other;
-
-  bool has_other() const { return !other.force.isZero(1e-9 * grasp.size()); }
+  OtherLoad<3> other;
+  std::vector<Vector<3>> other_arrow{};  ///< from its tail to its tip; round of a moment alone
 };
-
-OtherLoad other_load(const Load<3>& load, const Vector<3>& up) {
-  const Twist<3> still = load.still();
-  const Vector<3> force = -still.head<3>() - load.weight * load.lift / standard_gravity * up;
-  const Vector<3> moment = -still.tail<3>() + load.com.cross(still.head<3>());  // about the com
-  const double square = force.squaredNorm();
-  if (!(square > 0)) return {load.com, force, moment.norm()};
-  return {load.com + force.cross(moment) / square, force,
-          std::abs(force.dot(moment)) / std::sqrt(square)};
-}
 
 Picture picture_of(const SpatialFile& file, const Grasp<3>& grasp, const Posture<3>& posture) {
   const Load<3>& load = grasp.loads()[posture.decides];
-  Picture picture{grasp,
-                  load,
-                  posture.hold(),
-                  file.shape ? mesh_of(*file.shape) : Mesh{},
-                  0,
-                  {},
-                  {},
-                  0,
-                  other_load(load, posture.up)};
+  Picture picture{
+      grasp, load, posture.hold(),           file.shape ? mesh_of(*file.shape) : Mesh{}, 0, {},
+      {},    0,    {grasp, load, posture.up}};
   Eigen::AlignedBox3d box(load.com);
   for (const Vector<3>& vertex : picture.mesh.vertices) box.extend(vertex);
   for (const Contact<3>& contact : grasp.contacts()) box.extend(contact.position);
@@ -110,7 +86,14 @@ Picture picture_of(const SpatialFile& file, const Grasp<3>& grasp, const Posture
                               .by_pad = grasp.contacts()[i].pad.has_value()});
   }
   picture.weight = load.com - std::max(scale * weight, 0.25 * picture.size) * posture.up;
-  picture.other.tip = picture.other.from + scale * picture.other.force;
+  const OtherLoad<3>& other = picture.other;
+  if (other.pushes) {
+    picture.other_arrow = {other.from, other.from + scale * other.force};
+  } else if (other.turns) {
+    const Eigen::Matrix<double, 3, 2> t =
+        0.5 * picture.size * tangents(Vector<3>(other.moment.normalized()));
+    picture.other_arrow = round_arrow<3>(other.from, t.col(0), t.col(1));
+  }
   return picture;
 }
 
@@ -142,9 +125,12 @@ double best_azimuth(const Picture& picture, const Eigen::Quaterniond& orientatio
     // Not straight from one side: a box would look flat.
     score += 0.3 * view.toward.cwiseAbs().cwiseMin(0.3).sum();
     score += 0.3 * (most - least) / picture.size;  // an object tells most from its broad side
-    if (picture.has_other()) {
+    if (picture.other.pushes) {
       const double along = picture.other.force.normalized().dot(view.toward);
       score -= along * along;  // an arrow is to be seen from its side
+    } else if (picture.other.turns) {
+      const double along = picture.other.moment.normalized().dot(view.toward);
+      score += along * along;  // and a round one from its axis
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const auto count = static_cast<double>(contacts.size());
@@ -326,7 +312,7 @@ std::vector<Label> finger_labels(const Picture& picture, const View& view) {
     Vector<2> away = view.at(place / count + 0.1 * picture.size * outward) - anchor;
     if (away.norm() > 0) away.normalize();
     Label label{{{picture.grasp.fingers()[k], "#000000"}}, anchor, away};
-    const double force = fingers[k].force.norm(), weight = picture.load.weight;
+    const double force = fingers[k].force.norm(), weight = picture.grasp.size();
     if (picture.hold.holdable)
       label.lines.emplace_back(newtons(force > 1e-9 * weight ? force : 0), force_colour);
     if (std::abs(moment) > 1e-6 * weight * picture.grasp.radius())
@@ -367,8 +353,8 @@ void draw_legend(Canvas& canvas, const Picture& picture) {
     x -= 46;
   };
   entry("friction cone", Colour(cone_colour, 0.8), false, {});
-  if (picture.has_other()) entry("other load", weight_colour, true, {4, 3});
-  entry("weight", weight_colour, true, {});
+  if (picture.other.is_there()) entry(other_load_title, weight_colour, true, {4, 3});
+  if (picture.load.weight > 0) entry("weight", weight_colour, true, {});
   if (any(&Push::limited)) entry("at its force limit", limit_colour, true, {});
   if (any(&Push::hidden)) entry("from behind", force_colour, true, {4, 3});
   const bool pads = any(&Push::by_pad);
@@ -389,7 +375,7 @@ void fit(View& view, const Picture& picture) {
   for (const Push& push : picture.pushes) include(push.tail);
   include(picture.load.com);
   include(picture.weight);
-  include(picture.other.tip);
+  for (const Vector<3>& point : picture.other_arrow) include(point);
   const Vector<2> centre = all.center(),
                   room(page_width - 2 * side, page_height - top - bottom - 40);
   view.centre = centre.x() * view.right + centre.y() * view.upwards;
@@ -435,7 +421,9 @@ void draw_held_object(Canvas& canvas, const View& view, const Picture& picture,
 void draw_forces(Canvas& canvas, const View& view, const Picture& picture) {
   const double arrow = picture.grasp.contacts().size() > 8 ? 2 : 3.2;
   const Vector<2> com = view.at(picture.load.com);
-  std::vector<std::pair<Vector<2>, Vector<2>>> lines{{com, view.at(picture.weight)}};
+  const bool is_heavy = picture.load.weight > 0;
+  std::vector<std::pair<Vector<2>, Vector<2>>> lines;
+  if (is_heavy) lines.emplace_back(com, view.at(picture.weight));
   for (const Push& push : picture.pushes) {
     const Vector<2> from = view.at(push.tail), to = view.at(push.head);
     canvas.arrow(from, to, push_colour(push), push.hidden ? 0.8 * arrow : arrow,
@@ -443,21 +431,25 @@ void draw_forces(Canvas& canvas, const View& view, const Picture& picture) {
     lines.emplace_back(from, to);
     if (push.by_pad) canvas.dot(to, 4, push_colour(push));
   }
-  canvas.arrow(com, view.at(picture.weight), Colour(weight_colour), 3.2);
+  if (is_heavy) canvas.arrow(com, view.at(picture.weight), Colour(weight_colour), 3.2);
   canvas.dot(com, 5, Colour(weight_colour));
   std::vector<Label> labels = finger_labels(picture, view);
-  if (const OtherLoad& other = picture.other; picture.has_other()) {
-    const Vector<2> from = view.at(other.from), tip = view.at(other.tip);
-    canvas.arrow(from, tip, Colour(weight_colour), 3.2, {5, 3});
-    lines.emplace_back(from, tip);
-    Label label{{{newtons(other.force.norm()), weight_colour}}, tip, Vector<2>::Zero()};
+  if (!picture.other_arrow.empty()) {
+    std::vector<Vector<2>> points;
+    for (const Vector<3>& point : picture.other_arrow) points.push_back(view.at(point));
+    for (std::size_t k = 1; k < points.size(); ++k) lines.emplace_back(points[k - 1], points[k]);
+    canvas.arrow(points, Colour(weight_colour), 3.2, {5, 3});
+    const Vector<2> tip = points.back(), from = points[points.size() - 2];
+    Label label{{}, tip, Vector<2>::Zero()};
+    for (const std::string& words : picture.other.words())
+      label.lines.emplace_back(words, weight_colour);
     if (tip != from) label.away = (tip - from).normalized();
-    if (other.moment > 1e-6 * picture.grasp.size() * picture.grasp.radius())
-      label.lines.emplace_back(plain(other.moment) + " N m", weight_colour);
     labels.push_back(std::move(label));
   }
-  labels.push_back(
-      {{{newtons(picture.load.weight), weight_colour}}, view.at(picture.weight), Vector<2>(0, 1)});
+  if (is_heavy)
+    labels.push_back({{{newtons(picture.load.weight), weight_colour}},
+                      view.at(picture.weight),
+                      Vector<2>(0, 1)});
   draw_labels(canvas, labels, lines);
 }
 
