@@ -164,14 +164,20 @@ std::optional<Posture<Dim>> best_without_max(const Grasp<Dim>& grasp, Settings s
   return best.holdable() ? std::optional<Posture<Dim>>(best.best()) : std::nullopt;
 }
 
-/// Refuses what is for space.
-void refuse_spatial(const Question& question) {
-  for (const auto& [given, option] : {std::pair(question.gap.has_value(), "gap"),
-                                      {question.max_holds.has_value(), "max-holds"},
-                                      {question.tilt_from.has_value(), "tilt-from"},
+/// Refuses turns in space.
+void refuse_turns_in_space(const Question& question) {
+  for (const auto& [given, option] : {std::pair(question.tilt_from.has_value(), "tilt-from"),
                                       {question.tilt_max_deg.has_value(), "tilt-max"},
                                       {question.orientation.has_value(), "orientation"}})
     if (given) throw Misfit(option, "is for space,", 2);
+}
+
+/// And how to search there, where the plane needs no search.
+void refuse_spatial(const Question& question) {
+  for (const auto& [given, option] :
+       {std::pair(question.gap.has_value(), "gap"), {question.max_holds.has_value(), "max-holds"}})
+    if (given) throw Misfit(option, "is for space,", 2);
+  refuse_turns_in_space(question);
 }
 
 TurnTaken<2> taken(const Grasp<2>& grasp, double from, double to, const CurveSettings& settings) {
@@ -435,10 +441,7 @@ ShakeSettings sturdy_settings(const Question& question) {
 }
 
 SturdyAnswer<2> sturdiest(const PlanarFile& file, const Grasp<2>& grasp, const Question& question) {
-  Question planar = question;
-  planar.gap = {};
-  planar.max_holds = {};
-  refuse_spatial(planar);
+  refuse_turns_in_space(question);
   SturdyAnswer<2> answer{sturdy_settings(question), question.domain.value_or(file.domain)};
   answer.now_up = up_at(file.angle.value_or(0));
   answer.found = sturdiest_posture(grasp, answer.domain, answer.settings, answer.now_up);

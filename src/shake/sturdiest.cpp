@@ -107,7 +107,7 @@ class Search {
   Sturdiest<Dim> run(const Vector<Dim>& present) {
     check_up<Dim>(present);
     visit(range_.nearest(present));
-    const int most_holds = more_holds * settings_.max_holds;
+    const long most_holds = long{more_holds} * settings_.max_holds;
     std::size_t cells = 0;
     while (!is_near(next())) {
       if (holds_ >= most_holds || ++cells > most_cells) break;
@@ -121,13 +121,13 @@ class Search {
   }
 
  private:
-  /// All that a load is supplied with against gravity, -gravity times a posture, has
-  /// x . n <= b - gravity n . up for what else it undergoes.
+  /// A half-space of what a load can be supplied with. Equation (18) of docs/theory.md.
   struct Known {
     std::size_t load;
     double gravity;
     SupplyCut<Dim> cut;
 
+    /// What it leaves of accelerations with x for up.
     double left(const Vector<Dim>& x) const {
       if (cut.n.isZero(0)) return cut.b < 0 ? -infinity : infinity;
       return cut.b - gravity * cut.n.dot(x);
@@ -164,7 +164,7 @@ class Search {
     const double cosine = cell.cosine();
     const auto angle = [](double along) { return std::acos(std::clamp(along, -1.0, 1.0)); };
     if (angle(cell.center().dot(range_.from)) > range_.most + angle(cosine) + 1e-12) return;
-    cell.known = 0;  // halves are bounded better by what bounded the whole
+    cell.known = 0;  // what the whole knows bounds a half better
     update(cell);
     cells_.push(std::move(cell));
   }
