@@ -127,8 +127,10 @@ TEST_F(Written, LinksDevicesAndPipesStayWhatTheyAre) {
 
   ASSERT_EQ(mkfifo((folder() / "pipe").c_str(), 0600), 0);
   EXPECT_EQ(poise("contacts plane.yaml -o pipe").status, 2);  // nobody reads it
-  const Outcome through = shell("cat pipe > through.json & exec 3<> pipe; '" POISE_PROGRAM
-                                "' contacts plane.yaml -o pipe; exec 3>&-; wait");
+  // Its end to read is open before anybody writes, whenever cat comes to run.
+  const Outcome through =
+      shell("exec 3<> pipe 4< pipe; cat <&4 3>&- > through.json & '" POISE_PROGRAM
+            "' contacts plane.yaml -o pipe; exec 3>&- 4<&-; wait");
   EXPECT_EQ(through.status, 0) << through.err;
   EXPECT_TRUE(Json::accept(contents(folder() / "through.json")));
   EXPECT_TRUE(fs::is_fifo(folder() / "pipe"));
